@@ -1,1 +1,1 @@
-"""The supervisor's side of the sandbox; `protocol` stands alone and runs beside the student's code."""
+"""The supervisor's side of the sandbox; the package `protocol` runs in the sandbox, beside the student's code."""

@@ -1,4 +1,4 @@
-"""A student's function as a check sees it: each call is made in the sandbox, each result is what was promised."""
+"""Call a student's function in the sandbox, and check the form of each result."""
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -19,16 +19,16 @@ from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, resu
 from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
-REAL = 1e-12  # of a value: complex exponentials that make it real leave 1e-25 of imaginary part
-ROUNDING = 1e-25  # where they cancel to zero
-MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # what Python says of arguments that do not fit
-BLOCK = re.compile(r"^(?:def|class) +([A-Za-z_]\w{0,39})\b", re.MULTILINE)  # of a file
-MOST_BLOCKS = 50  # which of them raises may depend on hidden inputs
+REAL = 1e-12  # largest imaginary part of a real value, relative; sums of complex exponentials leave some
+ROUNDING = 1e-25  # largest imaginary part, absolute, if they cancel to zero
+MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # Python's message about wrong arguments
+BLOCK = re.compile(r"^(?:def|class) +([A-Za-z_]\w{0,39})\b", re.MULTILINE)  # a function or class of a file
+MOST_BLOCKS = 50  # limits what the name of the function that raises can reveal about hidden inputs
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
 class Asked(Protocol):
-    """The student whose function it is."""
+    """The part of `Student` that a SandboxFunction uses."""
 
     calls: list[Call]
     worked: set[str]
@@ -50,27 +50,27 @@ class SandboxFunction:
     student: Asked
     name: str
     returns: Any
-    banned: Sequence[str] = ()  # what is off limits in it
-    early: Mapping[bytes, Json] = field(default_factory=dict)  # replies to calls that `ahead` has made, by their bytes
+    banned: Sequence[str] = ()  # names that are off limits in it
+    early: Mapping[bytes, Json] = field(default_factory=dict)  # replies to calls that `ahead` has made, by packed call
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Any:
         """Return the result of one call, in the promised form."""
         return self.many([Case(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:
-        """Yield every call with its result; the one at hand is the context's case, for what `expect` says of it."""
+        """Yield each call with its result, and make it the context's case, to which the messages of `expect` refer."""
         calls = list(calls)
         for call, value in zip(calls, self.many(calls), strict=True):
             get_context().set_call(self.name, call)
             yield call, value
 
     def ahead(self, calls: Sequence[Case]) -> "SandboxFunction":
-        """Return this function with its replies to these calls: one round trip for all that it is asked of them."""
+        """Return a copy of this function that already has the replies to these calls, made in one round trip."""
         replies = self.student.replies(self.name, calls, every=True)
         return replace(self, early=dict(zip([call.packed for call in calls], replies, strict=True)))
 
     def _replies(self, calls: Sequence[Case], every: bool = False) -> list[Json]:
-        """Return a reply for each call; without `every` none behind the first error."""
+        """Return a reply for each call; without `every`, none after the first error."""
         early = [self.early[call.packed] for call in calls if call.packed in self.early]
         if len(early) < len(calls):
             return self.student.replies(self.name, calls, every=every)
@@ -80,7 +80,7 @@ class SandboxFunction:
     def many(self, calls: Sequence[Case]) -> list[Any]:
         """Return the results of many calls, made in one round trip.
 
-        Of a formula the values, where the calls' keywords are the symbols.
+        For a formula, return its values; the calls' keyword arguments are then the values of its symbols.
         """
         if isinstance(self.returns, Formula):
             return list(self.at([call.kwargs for call in calls]).tolist())
@@ -98,11 +98,11 @@ class SandboxFunction:
                 with self._judging(call):
                     self._must_be_fair(reply)
                     results.append(result(self.returns, reply["value"], self.name, call))
-            except Failed as failed:  # the other results tell more of a mistake
+            except Failed as failed:  # go on: the other results help to find the mistake
                 first_failed = first_failed or failed
                 continue
             self.student.worked.add(self.name)
-            if not isinstance(self.returns, FreeBodyDiagram):  # it has no numbers that a mistake could have, too
+            if not isinstance(self.returns, FreeBodyDiagram):  # has no numbers for the diagnosis
                 self.student.calls[-1] = Call(self.name, call, results[-1])
         if first_failed:
             get_context().set_call(self.name, first_failed.failure.at)
@@ -110,12 +110,12 @@ class SandboxFunction:
         return results
 
     def aside(self, call: Case) -> Any:
-        """Return the result of a call that is made to choose the words: see `Student.aside`."""
+        """Return the result of a call that is not graded, made to choose the message: see `Student.aside`."""
         with self.student.aside(self.name):
             return self(*call.args, **call.kwargs)
 
     def uses(self, helper: str, call: Case) -> bool:
-        """Return whether the result of a call moves, or ends, where those of another function of the file move."""
+        """Return whether a call's result changes, or it fails, if the results of a helper are made larger by one."""
         with self.student.aside(self.name):
             replies = [self.student.replies(self.name, [call], moved=moved)[0] for moved in (None, helper)]
         if "value" not in replies[0]:
@@ -129,20 +129,20 @@ class SandboxFunction:
             return True
 
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
-        """Yield every call, and whether it raises ValueError; another exception is Failed."""
+        """Yield each call and whether it raises ValueError; raise Failed if it raises another exception."""
         calls = list(calls)
         for call, reply in zip(calls, self._replies(calls, every=True), strict=True):
             refused = "error" in reply and "ValueError" in reply["error"]["kinds"]
             with self._judging(call, any_input=True):
                 if not refused:
                     self._must_be_fair(reply, expected=", not ValueError")
-                    with suppress(Failed):  # what it gives may follow from a mistake
+                    with suppress(Failed):  # keep the result for the diagnosis
                         numbers = result(self.returns, reply["value"], self.name, call)
                         self.student.calls.append(Call(self.name, call, numbers))
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
-        """Values of the formula that the function returns, at each of these points: {symbol's name: number}."""
+        """Return the values of the formula that the function returns, at points {name of a symbol: number}."""
         if not isinstance(self.returns, Formula):
             raise TypeError(f"{self.name} does not promise a formula")
         symbols = list(self.returns.symbols)
@@ -155,7 +155,7 @@ class SandboxFunction:
         return numbers
 
     def _values(self, values: Any, count: int) -> np.ndarray:
-        """Return the real numbers that a formula has at so many points, or Failed."""
+        """Return the real values of a formula at `count` points; raise Failed if the reply has none."""
         if not isinstance(values, list) or len(values) != count:
             if form := values.get("form") if isinstance(values, dict) else None:
                 raise Failed(f"{self.name} returned {form} in place of a SymPy expression", hint=REMEDIES[form])
@@ -171,7 +171,7 @@ class SandboxFunction:
         return numbers.real
 
     def drawn(self, call: Case, moved: str | None = None) -> Drawing:
-        """List the curves that the plot function draws in a case; one function's results may be moved by one."""
+        """Return what the plot function draws; `moved` names a function of the file whose results are larger by one."""
         reply = self.student.replies(self.name, [call], "drawing", moved=moved)[0]
         with self._judging(call):
             self._must_be_fair(reply)
@@ -182,9 +182,9 @@ class SandboxFunction:
 
     @contextmanager
     def _judging(self, call: Case, any_input: bool = False) -> Iterator[None]:
-        """Judge the result of a call: a failure says which call it was, and its kind if the function works for another.
+        """Add the call to a Failed of the block, and its label if the function has worked for another input.
 
-        any_input : its kind in any case, whatever else the function does
+        any_input : add the label in any case
         """
         get_context().set_call(self.name, call)
         try:
@@ -195,9 +195,9 @@ class SandboxFunction:
             raise
 
     def _must_be_fair(self, reply: Json, expected: str = "") -> None:
-        """Raise NotWritten or Failed for an exception, and for arguments changed in place.
+        """Raise NotWritten or Failed if the function raised an exception, or changed its arguments in place.
 
-        expected : ", not ValueError", say: what else it must raise
+        expected : text for the message on another exception than the required one, such as ", not ValueError"
         """
         if "error" in reply:
             error = error_of(reply)
@@ -210,7 +210,7 @@ class SandboxFunction:
             raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
 
     def _did(self, error: Json, expected: str) -> str:
-        """Return what it did instead of returning, in words of ours."""
+        """Return what the function did instead of returning, without text that the student may have written."""
         if "Forbidden" in error["kinds"]:
             return f"uses what is off limits in it: {misused(error, self.banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
@@ -219,16 +219,16 @@ class SandboxFunction:
 
 
 def _block(text: str, line: int) -> str:
-    """Return the function or class of a file that a line is in; "" where that is not clear, or could say a lot."""
+    """Return the function or class that contains a line; "" if that is unclear, or there are over MOST_BLOCKS."""
     lines = text.splitlines()[:line]
     names = BLOCK.findall("\n".join(lines))
     return names[-1] if lines and lines[-1][:1].isspace() and 0 < len(names) <= MOST_BLOCKS else ""
 
 
 def _strangers(value: object, source: str) -> str:
-    """Return a symbol of a formula that the contract does not know, if it is a word that the student wrote down.
+    """Return a symbol of a formula that the contract does not have, if its name is a word in the student's file.
 
-    The name of a symbol may be made at run time, of hidden inputs: no other is told, and but one.
+    A submission can compute names of symbols from hidden inputs, so no other name is revealed, and only one.
     """
     names: Any = value.get("strangers") if isinstance(value, dict) else None
     words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []

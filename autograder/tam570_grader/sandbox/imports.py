@@ -1,8 +1,8 @@
-"""What a student is told of an import that failed: the interpreter's own messages.
+"""Messages for the student on an import that failed, from the interpreter's messages.
 
-What runs while a file is imported may hold the inputs of an earlier submission, and can say whatever it likes. So its
-words are told where they are a known message about words that stand in the file, and its line where the file has it.
-What the interpreter says of the text itself comes before any of it runs, and is told as it is.
+Code that runs at import may contain hidden inputs that an earlier submission saw, and can raise any text. So a text is
+shown only if it is a known message of Python about words in the file, and a line number only if the file has the line.
+The interpreter's messages on the text itself are made before any of it runs, and are shown unchanged.
 """
 
 import builtins
@@ -14,11 +14,11 @@ from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.errors import Over, printable
 from tam570_grader.sandbox.replies import error_of
 
-MOST_CELLS = 3  # of a notebook, that are named: which ones is the notebook's to choose
+MOST_CELLS = 3  # failed cells that are named, because a notebook can choose which cells fail
 LONGEST_WORD = 60
 WORD = r"[\w.]+"
 MESSAGES = [
-    re.escape(message).replace("@", f"({WORD})")  # compiled where a file fails
+    re.escape(message).replace("@", f"({WORD})")  # compiled only if a file fails
     for message in (
         "name '@' is not defined",
         "No module named '@'",
@@ -36,25 +36,25 @@ MESSAGES = [
         "math domain error",
         "list index out of range",
         "maximum recursion depth exceeded",
-        "@ is off limits in this assignment",  # in our words
+        "@ is off limits in this assignment",  # the grader's message
         "@ is off limits in this assignment, even where nothing uses it",
         "attempted relative import with no known parent package",
     )
 ]
-# what the system says of threads, processes, the semaphores between these (a file has its name behind it), and input
+# system messages on threads, processes, their semaphores (on a file, the message would end in its name), and input
 MISDEEDS = {
     r"can't start new thread|\[Errno 11\] Resource temporarily unavailable.*|\[Errno 30\] Read-only file system": (
         "starts a thread or a process{}, which is off limits"
     ),
     "EOF when reading a line": "calls input(){}, which gets nothing here",
 }
-PLACE = re.compile(r" \([^()]*, line \d+\)$")  # behind a SyntaxError, whose line is told before it
-FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  # the place is the worker's own
+PLACE = re.compile(r" \([^()]*, line \d+\)$")  # end of a SyntaxError's text; our message has the line before
+FROM_FILE = re.compile(rf"(cannot import name '{WORD}' from '{WORD}') \(.*\)")  # with a path on the worker
 SKIPPED = re.compile(r"cell ([1-9]\d{0,2}): (\w+)(?:: (.*))?", re.DOTALL)
 
 
 class NotLoaded(Over):
-    """The submission could not be imported; `status` is what the result line says."""
+    """The submission could not be imported; `status` is the status of the result."""
 
     def __init__(self, status: str, message: str) -> None:
         super().__init__(message)
@@ -62,12 +62,12 @@ class NotLoaded(Over):
 
 
 def not_compiled(reply: object) -> NotLoaded:
-    """Return why the text is no Python, in the interpreter's words: nothing of it has run."""
+    """Return the exception for a file that is not Python, with the interpreter's message; no code of it has run."""
     return _unreadable(error_of(reply), PLACE.sub("", error_of(reply)["text"]))
 
 
 def not_imported(reply: object, text: bytes, assignment: LoadedAssignment, informed: bool) -> NotLoaded:
-    """Return why it could not be imported; of one that is tried again, not even that."""
+    """Return the exception for a file that could not be imported; on a retry (`informed`), without the reason."""
     error = error_of(reply)
     if informed:
         return NotLoaded("unreadable", "Your file could not be imported a second time: what does it do at import?")
@@ -82,25 +82,25 @@ def not_imported(reply: object, text: bytes, assignment: LoadedAssignment, infor
 
 
 def misused(error: Json, names: Sequence[str]) -> str:
-    """Return what was used of the names that are off limits.
+    """Return which of the names that are off limits was used.
 
-    All where that is not told: the text is the submission's.
+    Return all of them if the text of the error, which the submission may have written, does not name one.
     """
     return " or ".join([name for name in names if error["text"].startswith(f"{name} ")] or names)
 
 
 def sentence_of_ban(said: str, line: int = 0) -> str:
-    """Return what was done, where these words of an exception are the system's about what nobody may do; else ""."""
+    """Return what a submission did if an exception's text is a system message about something forbidden, else ""."""
     return next((done.format(_at(line)) for words, done in MISDEEDS.items() if re.fullmatch(words, said)), "")
 
 
 def python_class(error: Json) -> str:
-    """Return the exception's first class that is Python's own: a name that a student chose could carry an input out."""
+    """Return an exception's first built-in class: the name of a student's class could reveal a hidden input."""
     return next((class_name for class_name in error["kinds"] if _is_python(class_name)), "an exception")
 
 
 def skipped_cells(reports: Sequence[str], text: bytes) -> list[str]:
-    """Return the first cells that were skipped, and why, by what ran in them."""
+    """Return sentences on the first skipped cells, from reports that code in the cells may have written."""
     matches = filter(None, map(SKIPPED.fullmatch, reports))
     sentences = []
     for match in matches:
@@ -124,7 +124,7 @@ def _is_python(class_name: str) -> bool:
 
 
 def _own_words(said: str, text: bytes) -> str:
-    """Return a message of the interpreter's about words of the file; "" for any other."""
+    """Return a text if it is a known message of the interpreter about words in the file, else ""."""
     said = FROM_FILE.sub(r"\1 (unknown location)", said.strip())
     matches = filter(None, (re.fullmatch(message, said) for message in MESSAGES))
     is_python_text = any(all(_stands_in(word, text) for word in match.groups()) for match in matches)
@@ -132,7 +132,7 @@ def _own_words(said: str, text: bytes) -> str:
 
 
 def _stands_in(word: str, text: bytes) -> bool:
-    """Return whether it is a word of the file, or the name of a type of Python's."""
+    """Return whether a word is in the file, or is the name of a built-in type."""
     if len(word) > LONGEST_WORD:
         return False
     return _is_python(word) or word == "NoneType" or bool(re.search(rb"\b%b\b" % re.escape(word.encode()), text))

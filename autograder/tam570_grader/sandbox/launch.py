@@ -1,4 +1,4 @@
-"""How a zygote is started: in bubblewrap, seeing Python and the course's utilities alone, or as a plain process."""
+"""Start a zygote: in bubblewrap, where only Python and the course's utilities are visible, or as a plain process."""
 
 import contextlib
 import ctypes
@@ -22,7 +22,7 @@ from tam570_grader.errors import UsageError
 from tam570_grader.protocol.jail import SCRATCH, hidden_from_debuggers
 from tam570_grader.protocol.refusals import CALLS
 
-# The package `protocol` alone is imported of what lies beside it.
+# Imports `protocol` by its path, so that no other package in its folder can be imported.
 BOOT = """
 import gc, importlib.util, json, sys
 gc.disable()  # nothing is garbage yet, and looking for it takes a fifth of the time of the imports
@@ -34,11 +34,11 @@ spec.loader.exec_module(package)
 from protocol.zygote import main
 main()
 """
-HOME = Path(__file__).parents[1]  # that holds the package `protocol`
-TRIALS = 3  # of bubblewrap: one may be killed, or come when memory is short
-SYSTEM_LINKS = ("/lib", "/lib64")  # into /usr on most systems
-ARGUMENTS = slice(45, 47)  # where they begin and end in memory, in /proc/self/stat behind the program's name: proc(5)
-SEED = re.compile(rb"--se[a-z]*[\0=]([^\0@][^\0]*)")  # in a command line, as argparse reads it
+HOME = Path(__file__).parents[1]  # folder of the package `protocol`
+TRIALS = 3  # trial runs of bubblewrap: one may be killed, or fail for lack of memory
+SYSTEM_LINKS = ("/lib", "/lib64")  # links into /usr on most systems
+ARGUMENTS = slice(45, 47)  # arg_start and arg_end among the fields after the name in /proc/self/stat: proc(5)
+SEED = re.compile(rb"--se[a-z]*[\0=]([^\0@][^\0]*)")  # --seed in a command line, also abbreviated
 VARIABLES = {
     "PATH": "/usr/bin:/bin",
     "LC_ALL": "C.UTF-8",
@@ -52,7 +52,7 @@ VARIABLES = {
 
 
 class LaunchedZygote:
-    """A zygote's process, which imports NumPy and then waits to be told the rest."""
+    """A zygote's process, which imports NumPy and then waits for its settings."""
 
     def __init__(self, command: Sequence[str], folder: str) -> None:
         self.command, self._owner = command, os.getpid()
@@ -70,21 +70,21 @@ class LaunchedZygote:
             )
 
     def errors(self) -> str:
-        """Return what it has written to its errors last."""
+        """Return the end of what the process has written to stderr."""
         self._errors.seek(0)
         return self._errors.read()[-500:].decode(errors="replace")
 
     def wait(self) -> None:
-        """Wait until it has ended."""
+        """Wait until the process has ended."""
         self._process.wait()
 
     def kill(self) -> None:
-        """Kill it at once: its whole group, for a half-started bubblewrap's child outlives its parent."""
-        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS refuses for one that has ended
+        """Kill the process group at once, because the child of a bubblewrap that is still starting survives it."""
+        with contextlib.suppress(ProcessLookupError, PermissionError):  # macOS raises the latter if it has ended
             os.killpg(self._process.pid, signal.SIGKILL)
 
     def close(self) -> None:
-        """End it and everything in it, if this process started it; else others may still need it."""
+        """Close the socket; if this process started the zygote, also kill it and everything in it."""
         self.control.close()
         if os.getpid() == self._owner:
             self.kill()
@@ -92,14 +92,14 @@ class LaunchedZygote:
         self._errors.close()
 
 
-_early = list[LaunchedZygote]()  # launched before it is known what for
-_trials = list[subprocess.Popen[bytes]]()  # of bubblewrap, that nobody has waited for
+_early = list[LaunchedZygote]()  # launched before the hidden folders are known
+_trials = list[subprocess.Popen[bytes]]()  # trial runs of bubblewrap that may still be running
 
 
 def launch_early() -> None:
-    """Launch a zygote while this process imports what it needs itself; the first that is asked for is this one.
+    """Launch a zygote that starts while this process still imports; `launch` returns it if its command fits.
 
-    Bubblewrap is tried beside it: where it fails, no zygote in it is asked for.
+    Also start a trial run of bubblewrap; if that fails, the zygote is not used.
     """
     if _has_bubblewrap():
         _trials.append(_trial())
@@ -107,7 +107,7 @@ def launch_early() -> None:
 
 
 def launch(hidden: Sequence[Path]) -> LaunchedZygote:
-    """Launch a zygote that sees none of the hidden folders, or take the one that was launched early, if it fits."""
+    """Return a new zygote that does not see the hidden folders, or the one that was launched early if it fits."""
     what = command(tuple(hidden))
     if _early and _early[0].command == what:
         return _early.pop()
@@ -116,7 +116,7 @@ def launch(hidden: Sequence[Path]) -> LaunchedZygote:
 
 
 def close_early() -> None:
-    """End a zygote that was launched early, if nobody has asked for it."""
+    """End the zygote and the trial that `launch_early` started, if they are still unused."""
     while _early:
         _early.pop().close()
     while _trials:
@@ -127,7 +127,7 @@ def close_early() -> None:
 
 @functools.cache
 def command(hidden: tuple[Path, ...]) -> list[str]:
-    """Return the command of a zygote that sees none of these folders; most are nowhere in what it sees anyway."""
+    """Return the command of a zygote that does not see these folders; most are not visible to it anyway."""
     return _with_path(jailed_command(hidden) if isolation() == "bubblewrap" else plain_command())
 
 
@@ -137,8 +137,8 @@ def _with_path(command_and_path: tuple[list[str], list[str]]) -> list[str]:
 
 
 def write_bytecode() -> None:
-    """Compile what a zygote imports of ours, where that is new: it may write nothing, and compiles it at each start."""
-    import compileall  # after a zygote is launched
+    """Compile our modules that a zygote imports if they have changed, because it cannot write bytecode itself."""
+    import compileall  # imported late: a zygote is launched first
 
     course = Path(tam570.__file__).parent
     for folder in () if sys.dont_write_bytecode else (HOME / "protocol", course, course / "integrate"):
@@ -146,13 +146,13 @@ def write_bytecode() -> None:
 
 
 def environment(folder: str) -> dict[str, str]:
-    """Return the zygote's environment; what it writes while it starts goes to a folder that no submission sees."""
+    """Return the zygote's environment; files that it writes at its start go to a folder that no submission sees."""
     return {**VARIABLES, "HOME": folder, "TMPDIR": folder, "MPLCONFIGDIR": f"{folder}/matplotlib"}
 
 
 @functools.cache
 def isolation() -> str:
-    """Return how submissions are kept apart: "bubblewrap", or "processes" where the namespaces are not to be had."""
+    """Return how submissions are isolated: by "bubblewrap", or only as "processes" if it does not work here."""
     started = [_trials.pop()] if _trials else []
     tries = (started.pop() if started else _trial() for _ in range(TRIALS if _has_bubblewrap() else 0))
     works = any(attempt.wait(timeout=20) == 0 for attempt in tries)
@@ -160,18 +160,18 @@ def isolation() -> str:
 
 
 def _has_bubblewrap() -> bool:
-    """Return whether there is bubblewrap, whatever it may do here."""
+    """Return whether bubblewrap is installed, on a system that is supported; it may still fail."""
     return sys.platform == "linux" and platform.machine() in CALLS and shutil.which("bwrap") is not None
 
 
 def _trial() -> subprocess.Popen[bytes]:
-    """Start bubblewrap, to see whether it works."""
+    """Start a trial run of bubblewrap; its exit code is 0 if bubblewrap works."""
     command = ["bwrap", "--unshare-all", "--ro-bind", "/", "/", "true"]
     return subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def hide_from_submissions() -> None:
-    """Close this process's memory to submissions that are plain processes, and blot a seed out of its command line."""
+    """If submissions are plain processes, hide this process's memory from them, and the seed in its command line."""
     if sys.platform != "linux" or isolation() == "bubblewrap":
         return
     stat = Path("/proc/self/stat").read_text(encoding="utf-8", errors="replace")
@@ -182,7 +182,7 @@ def hide_from_submissions() -> None:
 
 
 def _python() -> list[str]:
-    """Return the interpreter below any virtual environment, with a search path that we set."""
+    """Return the command of the interpreter outside of any virtual environment; BOOT sets its search path."""
     return [os.path.realpath(sys._base_executable), "-s", "-S", "-P", "-B", "-c", BOOT]  # type: ignore[attr-defined]
 
 
@@ -191,7 +191,7 @@ def _site_folders() -> list[str]:
 
 
 def plain_command() -> tuple[list[str], list[str]]:
-    """Command and search path of a zygote without a jail; the last folder holds `protocol`."""
+    """Return command and search path of a zygote without a jail; the last folder contains `protocol`."""
     path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(HOME)]
     if os.geteuid() == 0:
         _must_be_readable([sys.base_prefix, *path])
@@ -199,7 +199,7 @@ def plain_command() -> tuple[list[str], list[str]]:
 
 
 def _must_be_readable(folders: Sequence[str]) -> None:
-    """Under root, submissions run as a user that owns nothing: what they import must be open to everyone."""
+    """Raise UsageError if others cannot enter a folder: under root, submissions run as another user."""
     for folder in map(Path, folders):
         closed = [parent for parent in (folder, *folder.parents) if not os.stat(parent).st_mode & stat.S_IXOTH]
         if closed:
@@ -211,7 +211,7 @@ def _must_be_readable(folders: Sequence[str]) -> None:
 
 
 def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
-    """Command and search path of a zygote in bubblewrap: it sees Python, its packages and the course's utilities."""
+    """Return command and search path of a zygote in bubblewrap, which sees Python, its packages and `tam570`."""
     sites = _site_folders()
     course = Path(tam570.__file__).parent
     shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
@@ -222,22 +222,22 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     command = ["bwrap", "--unshare-pid", "--unshare-ipc", "--unshare-net", "--unshare-uts", "--die-with-parent"]
     for target, mount in sorted(masks + binds, key=lambda entry: len(entry[0].parts)):
         for parent in reversed(target.parents[:-1]):
-            command += ["--perms", "0755", "--dir", str(parent)]  # by default only root may enter it
+            command += ["--perms", "0755", "--dir", str(parent)]  # bubblewrap's default is root only
         command += [*mount, str(target)]
     for folder in filter(os.path.islink, SYSTEM_LINKS):
         command += ["--symlink", os.readlink(folder), folder]
     command += ["--ro-bind-try", "/etc/ld.so.cache", "/etc/ld.so.cache", "--proc", "/proc", "--dev", "/dev"]
-    command += ["--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts"]  # a terminal's times would be a note to all
+    command += ["--tmpfs", "/dev/pts", "--remount-ro", "/dev/pts"]  # its times could transfer data
     if not any(target.is_relative_to("/tmp") for target, _ in binds):
         command += ["--symlink", SCRATCH, "/tmp"]
-    for path, _ in masks:  # each would be a place for notes
+    for path, _ in masks:  # read-only, or submissions could leave data there
         command += ["--remount-ro", str(path)]
     command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
     return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
 
 
 def other_packages(sites: Sequence[str]) -> list[Path]:
-    """Return packages of other interpreters in what is shown: a ban is kept in our own folders alone."""
+    """Return package folders of other interpreters that are visible; bans hide modules only in our own folders."""
     ours = set(map(os.path.realpath, sites))
     packages = [path for folder in _python_folders() for path in Path(folder).glob("python3*/*-packages")]
     linked = [path for path in packages if path.is_symlink() or path.parent.is_symlink()]
@@ -245,12 +245,12 @@ def other_packages(sites: Sequence[str]) -> list[Path]:
 
 
 def _unused_fonts(sites: Sequence[str]) -> list[Path]:
-    """Return fonts for printers, which no picture on a screen has, and which matplotlib takes long to list."""
+    """Return folders of fonts for PostScript and PDF only, which matplotlib takes long to list."""
     fonts = [Path(folder, "matplotlib/mpl-data/fonts", name) for folder in sites for name in ("afm", "pdfcorefonts")]
     return [folder for folder in fonts if folder.is_dir()]
 
 
 def _python_folders() -> list[str]:
-    """Return where the interpreter's own libraries and the system's are."""
+    """Return the folders of the interpreter's and the system's libraries."""
     libraries = [f"{sys.base_prefix}/{name}" for name in ("lib", "lib64")]
     return [folder for folder in (*libraries, "/usr/lib", "/usr/lib64", *SYSTEM_LINKS) if not os.path.islink(folder)]

@@ -1,4 +1,4 @@
-"""Reads students' notebooks and modules in a process of their own: a parser may need memory and time without end."""
+"""Parse students' notebooks and modules in the sandbox, because a parser may need unlimited memory and time."""
 
 import atexit
 import functools
@@ -14,21 +14,21 @@ READING = ResourceLimits(memory=2**30, cpu=10, call=10)
 
 
 class Unshown(Exception):
-    """What cannot be read; the message says why."""
+    """A notebook or module cannot be parsed; the message says why."""
 
 
 def cells_of(text: bytes) -> list[Json]:
-    """Return the cells of a notebook, as `protocol.cells` describes them, or Unshown; nothing of it has run."""
+    """Return the cells of a notebook in the form of `protocol.cells`, without running it; raise Unshown on failure."""
     return list(_read("cells", text))
 
 
 def python_of(text: bytes) -> str:
-    """Return the code of a notebook without magics and what is no Python, or Unshown; nothing of it has run."""
+    """Return the Python code of a notebook, without running it; raise Unshown on failure."""
     return str(_read("python", text))
 
 
 def statements_of(text: bytes) -> str:
-    """Return the statements of a module in one form, or Unshown; nothing of it has run."""
+    """Return the statements of a module in normal form, without running it; raise Unshown on failure."""
     return str(_read("statements", text))
 
 
@@ -36,7 +36,7 @@ def _read(what: str, text: bytes) -> Any:
     try:
         process = _reader().process(READING.cpu)
     except ZygoteLost as lost:
-        _reader.cache_clear()  # the next one has a new reader
+        _reader.cache_clear()  # the next call starts a new reader
         raise ConnectionError(str(lost)) from None
     try:
         process.send({"read": what, "text": text})

@@ -1,4 +1,4 @@
-"""The zygotes of this process, one for each thread, what it imports, may use and sees; one that dies is replaced."""
+"""The zygotes of this process, one for each combination of thread, imports, limits and hidden folders."""
 
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -10,18 +10,18 @@ from typing import Any, TypeVar
 from tam570_grader.sandbox.launch import command
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote, ZygoteLost
 
-TRIES = 3  # zygotes, or supervisors, that a submission may see die under it before we give up
-MOST = 12  # zygotes of a thread that are kept
+TRIES = 3  # attempts to grade a submission when zygotes or supervisors die
+MOST = 12  # most zygotes per thread
 T = TypeVar("T")
 _warm: dict[tuple[Any, ...], Zygote] = {}
 
 
 @dataclass(frozen=True)
 class Attempt:
-    """One try of a submission.
+    """An attempt to grade a submission.
 
-    forgiving : another one follows: ZygoteLost where the submission is killed from outside, as for want of memory
-    is_retry     : one went before: the submission may know hidden inputs, and what it says at import is not quoted
+    forgiving : another attempt can follow, so raise ZygoteLost if the submission is killed from outside (no memory)
+    is_retry  : the submission may know hidden inputs from an earlier attempt, so do not quote its errors at import
     """
 
     forgiving: bool = False
@@ -35,7 +35,7 @@ ATTEMPTS = tuple(Attempt(forgiving=number < TRIES, is_retry=number > 1) for numb
 def tried(
     work: Callable[[Zygote, Attempt], T], preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()
 ) -> T:
-    """work(zygote, attempt) on a warm zygote, on another where that one is lost; ZygoteLost from the last attempt."""
+    """Return work(zygote, attempt) with a warm zygote; on ZygoteLost, retry with a new zygote, up to TRIES times."""
     for attempt in ATTEMPTS:
         key = start(preload, limits, hidden)
         try:
@@ -48,7 +48,7 @@ def tried(
 
 
 def start(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> tuple[Any, ...]:
-    """Start a zygote where none is warm, without waiting for it; the key of the warm one."""
+    """Start a zygote unless there is a warm one, without waiting for it; return its key."""
     key = (threading.get_ident(), *preload, limits, *command(tuple(hidden)))
     if key not in _warm:
         mine = [other for other in _warm if other[0] == key[0]]
@@ -65,7 +65,7 @@ def zygote(preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path
 
 @contextmanager
 def sandboxes() -> Iterator[None]:
-    """End the zygotes of this process."""
+    """Close all zygotes of this process at the end of the block."""
     try:
         yield
     finally:

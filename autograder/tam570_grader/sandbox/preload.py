@@ -1,4 +1,4 @@
-"""The libraries that submissions import by themselves, which a zygote may import for all of them."""
+"""Common libraries that submissions import, and that a zygote can import once for all of them."""
 
 import re
 
@@ -9,7 +9,7 @@ COMMON = (
 
 
 def imported(text: bytes) -> frozenset[str]:
-    """Return those of the common libraries that a submission's import statements name, wherever they stand in it."""
+    """Return the common libraries that import statements anywhere in a submission name."""
     statements = b"\n".join(STATEMENT.findall(text))
     return frozenset(name for name, pattern in PATTERNS.items() if pattern.search(statements))
 
@@ -18,7 +18,7 @@ def _pattern(name: str) -> re.Pattern[bytes]:
     package, _, module = name.partition(".")
     name = re.escape(name)
     ways = rf"import +{name}\b|from +{name} |from +{package} +import .*\b{module or package}\b"
-    return re.compile(rf"^[ \t]*(?:{ways})".encode(), re.MULTILINE)  # within a line: a search in linear time
+    return re.compile(rf"^[ \t]*(?:{ways})".encode(), re.MULTILINE)  # one line: linear time
 
 
 STATEMENT = re.compile(rb"^[ \t]*(?:import|from) .*", re.MULTILINE)

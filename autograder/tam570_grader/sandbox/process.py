@@ -1,4 +1,4 @@
-"""One submission's process, as the supervisor holds it: requests in, replies out, each with a limit."""
+"""The supervisor's connection to a sandbox process: send requests and receive replies, with time and size limits."""
 
 import select
 import socket
@@ -11,27 +11,27 @@ from typing import Any, TypeVar
 from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
 
 LENGTH = struct.Struct(">I")
-LARGEST_REPLY = 2**26  # bytes, of all replies to one request
-PIECE = 2**16  # bytes that are read at once; room for more would be fetched from the system each time
-SHORT = 1000  # bytes of a reply, which takes less to read than to ask for the time
-GLANCE = 0.5  # s of a wait in one piece
-RECONSIDER = 0.25  # s at most between looks at a call that is late on the wall's clock
-# a call that for so long as its limit uses less than this share of a core is asleep, not slow
+LARGEST_REPLY = 2**26  # bytes of all replies to one request
+PIECE = 2**16  # bytes per recv; a larger buffer would be requested from the system each time
+SHORT = 1000  # bytes; a shorter reply takes less time to read than a query of the clock
+GLANCE = 0.5  # s, longest single poll, so that a suspension of this process is noticed
+RECONSIDER = 0.25  # s, longest time between checks of a call that is late in wall time
+# a call that uses less than this share of a core, during the length of its time limit, is asleep
 IDLE_SHARE = 0.02
-PATIENCE = 6  # a call, and a submission, may take this many times its limit in wall time on a busy machine
+PATIENCE = 6  # wall time of a call or a submission in multiples of its limit, for busy machines
 T = TypeVar("T")
 
 
 class ProcessLost(Exception):
-    """The process ended in the middle of a call, or sent what is no reply."""
+    """The process ended during a call, or sent an invalid reply."""
 
 
 class ProcessTimeout(Exception):
-    """A call took longer than it may."""
+    """A call exceeded its time limit."""
 
 
 class SandboxProcess:
-    """One submission's process: requests in, replies out, each with a limit."""
+    """A sandbox process: a channel for requests and replies, and the leash, a socket to its monitor."""
 
     def __init__(self, channel: socket.socket, leash: socket.socket, call_limit: float) -> None:
         self._channel, self.leash, self.limit = channel, leash, call_limit
@@ -39,20 +39,20 @@ class SandboxProcess:
         self._channel.setblocking(False)
         self.leash.settimeout(60)  # s; the monitor answers within a few hundredths where the machine is not busy
         self._received = bytearray()
-        self._budget, self._room = ItemBudget(), LARGEST_REPLY  # for the replies to the request before us
-        self._waited = 0.0  # s, in earlier calls: no less than the CPU time they took
-        self.lasted = 0.0  # s on the wall's clock, of all calls and of reading what they sent
-        self.read = 0.0  # s of our own, in reading what it sent
-        self._cpu = 0.0  # s, at the end
-        # when we last asked for the CPU time to see whether it grows, and what it was
+        self._budget, self._room = ItemBudget(), LARGEST_REPLY  # left for the replies to the current request
+        self._waited = 0.0  # s of waiting in earlier calls, at least as long as their CPU time
+        self.lasted = 0.0  # s, wall time of all calls, including reading their replies
+        self.read = 0.0  # s, CPU time of the supervisor for reading replies
+        self._cpu = 0.0  # s, CPU time at the end
+        # time and CPU time when we last checked whether the CPU time grows
         self._looked_at = (0.0, 0.0)
-        self._stood_still = 0.0  # s, in which this process was not run: suspended, or the whole machine was
-        self.monitored = True  # until the monitor does not answer
-        self.killed_from_outside = False  # at the end, by its monitor's word
-        self._last_words: list[str] = []  # of the monitor, once the process has ended
+        self._stood_still = 0.0  # s in which the supervisor, or the whole machine, was suspended
+        self.monitored = True  # False if the monitor does not answer at the end
+        self.killed_from_outside = False  # known at the end, from the monitor
+        self._last_words: list[str] = []  # the monitor's final message, after the process has ended
 
     def send(self, request: Any) -> None:
-        """Send a request, of bytes or to be packed, or raise ProcessLost or ProcessTimeout."""
+        """Send a request (bytes, or data to pack); raise ProcessLost or ProcessTimeout on failure."""
         data = request if isinstance(request, bytes) else packed(request)
         self._budget, self._room = ItemBudget(), LARGEST_REPLY
         unsent = memoryview(LENGTH.pack(len(data)) + data)
@@ -72,9 +72,9 @@ class SandboxProcess:
         self._waited += time.monotonic() - sent_at
 
     def receive(self, form: Callable[[Any], T]) -> T:
-        """Return the next reply in its form, or raise ProcessLost or ProcessTimeout.
+        """Return form(next reply), or raise ProcessLost or ProcessTimeout.
 
-        What it costs us to read it is counted as the submission's own time: a class waits for no forged reply.
+        The CPU time for reading the reply counts as the submission's, so that forged replies cannot delay a class.
         """
         started = self._clock()
         try:
@@ -105,7 +105,7 @@ class SandboxProcess:
     def seconds(self) -> float:
         """Return the CPU seconds that the process has used so far, by the kernel's clock.
 
-        ProcessLost if its monitor has gone.
+        Raise ProcessLost if its monitor has ended.
         """
         try:
             self._order(b"c")
@@ -114,7 +114,7 @@ class SandboxProcess:
             raise ProcessLost from None
 
     def end(self) -> float:
-        """Kill the process; the CPU seconds it has used. A monitor that does not answer has died with its zygote."""
+        """Kill the process and return its CPU seconds. If the monitor does not answer, it has died with its zygote."""
         try:
             self._order(b"e" if self._ended else b"k")
             self._hear_last_words()
@@ -126,17 +126,17 @@ class SandboxProcess:
         return self._cpu
 
     def drop(self) -> None:
-        """Let the monitor kill the process, without waiting for it."""
+        """Let the monitor kill the process, and do not wait."""
         self._order(b"k")
         self._channel.close()
 
     def let_go(self) -> None:
-        """Close our ends: the process ends if nobody else holds them."""
+        """Close our ends of the sockets; the process ends unless another process has them open."""
         self.leash.close()
         self._channel.close()
 
     def has_ended(self) -> bool:
-        """Whether it was dropped, and its monitor has seen it end; OSError if the monitor has gone."""
+        """Return whether the process was dropped and has ended; raise OSError if its monitor has ended."""
         if self._channel.fileno() >= 0:
             return False
         if self.monitored and not self._last_words:
@@ -149,10 +149,10 @@ class SandboxProcess:
 
     def _hear_last_words(self) -> None:
         while not self._last_words:
-            self._heard()  # the answer to an earlier question
+            self._heard()  # skip answers to earlier orders
 
     def _ready(self, event: int, seconds: float) -> bool:
-        """Whether it can be read or written within these seconds of our clock, which stands where a wait ends late."""
+        """Return whether the channel can be read or written within these seconds of `_clock`; notice suspensions."""
         poll, end = select.poll(), self._clock() + seconds
         poll.register(self._channel, event)
         while True:
@@ -164,7 +164,7 @@ class SandboxProcess:
                 return False
 
     def _clock(self) -> float:
-        """Seconds that have passed for this process: a submission that stood still with it is not late."""
+        """Return seconds without suspensions: a submission that was suspended together with us is not late."""
         return time.monotonic() - self._stood_still
 
     def _read(self) -> None:
@@ -178,7 +178,7 @@ class SandboxProcess:
         self._received += chunk
 
     def _message(self) -> bytes | None:
-        """Return the first whole message received, taken out of the buffer."""
+        """Remove and return the first complete message in the buffer; None if there is none."""
         if len(self._received) < LENGTH.size:
             return None
         (size,) = LENGTH.unpack_from(self._received)
@@ -192,9 +192,9 @@ class SandboxProcess:
         return data
 
     def _overdue(self, started: float) -> bool:
-        """Return whether a call has had its CPU time, or uses none.
+        """Return whether a call has used up its CPU time, uses none, or has taken PATIENCE times its limit.
 
-        On a busy machine its time on the wall says little.
+        On a busy machine, its wall time alone says little.
         """
         try:
             cpu = self.seconds()
@@ -210,12 +210,12 @@ class SandboxProcess:
         return idle or cpu - self._waited >= self.limit or now - started > PATIENCE * self.limit
 
     def _order(self, order: bytes) -> None:
-        """Send the monitor an order. It may have gone with its process, and its last words are still to be read."""
+        """Send the monitor an order; it may have ended with its process, and its final message still be unread."""
         with suppress(ConnectionError):
             self.leash.sendall(order)
 
     def _heard(self) -> list[str]:
-        """Return what the monitor says next; after its last words, these."""
+        """Return the words of the monitor's next message; after its final message, always those."""
         line = b""
         while not self._last_words and not line.endswith(b"\n"):
             chunk = self.leash.recv(1)

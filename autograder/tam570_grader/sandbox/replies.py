@@ -1,10 +1,10 @@
-"""What comes back from a submission: replies, of which nothing is trusted.
+"""Check the replies of a submission, which are untrusted.
 
     reply    {"value": ..., "changed": bool} or {"error": {"kinds": [...], "text": ..., "line": ...}}
-    message  {"replies": [reply, ...]}, or {"values": array} of calls that went well, with results alike
+    message  {"replies": [reply, ...]}, or {"values": array} for calls without errors and with results of one form
 
-A student's process can write any reply it likes. Each is checked by type, depth, size and number against what its mode
-promises before anything else sees it: numbers for a call, values for a formula, lines and labels for a drawing.
+A student's process can send any bytes. Before other code uses a reply, its types, depth, size and number are checked
+against those of its mode: numbers for a call, values for a formula, lines and labels for a drawing.
 """
 
 import math
@@ -22,19 +22,19 @@ from tam570_grader.sandbox.process import ProcessLost
 Reply = Json
 
 MOST_KINDS = 20  # classes of an exception
-MOST_LINES = 2000  # of a drawing: three times what is read of one
+MOST_LINES = 2000  # of a drawing; `protocol.picture` reads up to 500 lines, collections and patches each
 MOST_POINTS = 2**20  # of all lines of a drawing
-MOST_SCATTERED = 10_000  # points of a scatter; of a larger one every kth: each is looked for along a path
-MOST_EMPTY = 10_000  # lists that an array without a number may stand for: sizes cost nothing there
-MOST_WORDS = 100  # strange symbols of a formula, functions of a module, cells of a notebook
-LONGEST_TEXT = 300  # characters of a label, of the text of an exception
+MOST_SCATTERED = 10_000  # points of a scatter plot; more are thinned, as checks search a path for each
+MOST_EMPTY = 10_000  # lists in an array without numbers, whose shape costs no memory
+MOST_WORDS = 100  # unknown symbols of a formula, functions of a module, cells of a notebook
+LONGEST_TEXT = 300  # characters of a label or of an exception's text
 NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 
 def checked(message: object, mode: str, most: int = 1) -> list[Reply]:
-    """Return the replies of a message, `most` of them, made of nothing but what this mode promises.
+    """Return the replies in a message, at most `most`, each reduced to what its mode allows.
 
-    Else ProcessLost: it is not from our part of the process.
+    Raise ProcessLost if the message is invalid, and so not from our code in the process.
     """
     replies = message.get("replies") if isinstance(message, dict) else None
     if isinstance(replies, list) and 0 < len(replies) <= most:
@@ -56,7 +56,7 @@ def _reply(reply: object, mode: str) -> Reply:
 
 
 def imported(reply: object) -> Reply:
-    """Return a reply to a submission's text: {"names": [...], "skipped": [...]} or {"error": ...}, of short strings."""
+    """Return the reply to a submission's text: {"names": [...], "skipped": [...]}, short strings, or {"error": ...}."""
     if not isinstance(reply, dict) or not ("error" in reply or strings(reply.get("names"))):
         raise ProcessLost
     if "error" in reply:
@@ -65,7 +65,7 @@ def imported(reply: object) -> Reply:
 
 
 def error_of(reply: object) -> Reply:
-    """Return the error of a reply, NO_ERROR where there is none, and nothing that is not of the right type."""
+    """Return the error in a reply, with every field of its type; NO_ERROR if there is no valid one."""
     error = reply.get("error") if isinstance(reply, dict) else None
     if not isinstance(error, dict) or not strings(error.get("kinds")):
         return NO_ERROR
@@ -78,7 +78,7 @@ def error_of(reply: object) -> Reply:
 
 
 def strings(value: object) -> bool:
-    """Return whether it is a list of a few short strings."""
+    """Return whether a value is a list of at most MOST_WORDS short strings."""
     return (
         isinstance(value, list)
         and len(value) <= MOST_WORDS
@@ -87,7 +87,7 @@ def strings(value: object) -> bool:
 
 
 def _numbers(value: object, depth: int = 0) -> Any:
-    """Numbers, arrays of numbers and lists of these, no deeper than they are sent; of anything else the kind alone."""
+    """Return a number, array, Foreign or nested list of these; raise ProcessLost for any other value."""
     if value is None or type(value) in (bool, float, Foreign):
         return value
     if isinstance(value, np.ndarray) and value.ndim <= MOST_DIMENSIONS:
@@ -98,7 +98,7 @@ def _numbers(value: object, depth: int = 0) -> Any:
 
 
 def _values(value: object) -> Any:
-    """Return the values of a formula, one number each; or the strange symbols that it has, or what it is instead."""
+    """Return the values of a formula, a number each; or its unknown symbols, or what was returned instead of one."""
     if isinstance(value, dict) and value.get("form") in [*REMEDIES]:
         return {"form": value["form"]}
     if isinstance(value, dict):
@@ -111,7 +111,7 @@ def _values(value: object) -> Any:
 
 
 def _drawing(value: object) -> Drawing | None:
-    """Return what was drawn; None where it is too much, or nothing that can be read."""
+    """Return the drawing in a reply; None if it is too large or invalid."""
     if not isinstance(value, dict) or not isinstance(value.get("lines"), list) or len(value["lines"]) > MOST_LINES:
         return None
     lines = [_line(line) for line in value["lines"]]

@@ -1,4 +1,4 @@
-"""The student as a check sees it: functions to call, each call made in the sandbox, each result what was promised."""
+"""The student as a check sees it: functions that are called in the sandbox."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -22,33 +22,33 @@ from tam570_grader.sandbox.zygote import Zygote, ZygoteLost
 
 @dataclass(frozen=True)
 class Source:
-    """What a student handed in."""
+    """The text of a submitted module or notebook."""
 
     text: bytes
     notebook: bool = False
 
 
 class BudgetSpent(Over):
-    """The submission has had all of its time; the message says which."""
+    """The submission has used up its CPU time or wall time; the message says which."""
 
     status = "timeout"
 
 
 class Student:
-    """One submission in the sandbox. `student.f` is the function f of the contract."""
+    """A submission in the sandbox; `student.f` is the function f of the contract."""
 
     def __init__(self, source: Source, assignment: LoadedAssignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
         self._forgiving, self._informed = attempt.forgiving, attempt.is_retry
-        self.calls: list[Call] = []  # of the check that is running
-        self.skipped: list[str] = []  # notebook cells
+        self.calls: list[Call] = []  # calls of the check that is running
+        self.skipped: list[str] = []  # sentences on skipped notebook cells
         self._source, self._assignment, self._zygote = source, assignment, zygote
-        self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by what may not be called in it
+        self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by modules that are off limits in it
         self._defined: set[str] = set()
         self.broken: dict[str, Json] = {}  # functions that hung or crashed, and how
-        self._given_up: set[str] = set()  # those that did so in calls aside
-        self.worked: set[str] = set()  # functions that have returned what was promised: it depends on the input
-        self._asides = 0  # blocks of `aside` that are open
-        self._cpu, self._lasted = 0.0, 0.0  # s of CPU and on the wall's clock, of the processes that have ended
+        self._given_up: set[str] = set()  # functions that did so in a block of `aside`
+        self.worked: set[str] = set()  # functions with a valid result, so that failures depend on the input
+        self._asides = 0  # open blocks of `aside`
+        self._cpu, self._lasted = 0.0, 0.0  # s, CPU time and wall time of the processes that have ended
 
     def __getattr__(self, name: str) -> "Function":
         if name not in self._assignment.results:
@@ -58,11 +58,11 @@ class Student:
 
     @contextmanager
     def aside(self, retried: str = "") -> Iterator[None]:
-        """Open a block: what is called in it is not judged: no function is given up for it, and half of the time stays.
+        """Open a block for calls that are not graded: `calls`, `broken` and the context are restored at its end.
 
-        Calls in it raise Failed when the submission has used half of its processor time.
+        Calls in it raise Failed once the submission has used half of its CPU time.
 
-        retried : a function that is tried though it hung or crashed before, until it does so in such a block
+        retried : a function to call although it hung or crashed before, unless it did so in such a block
         """
         running = get_context()
         calls, broken, function, case = self.calls, self.broken, running.function, running.case
@@ -77,19 +77,19 @@ class Student:
             self.calls, self.broken, running.function, running.case = calls, broken, function, case
 
     def load(self) -> None:
-        """Import the submission, or raise NotLoaded."""
+        """Import the submission; raise NotLoaded if that fails."""
         self._process(())
 
     def seconds(self) -> float:
-        """CPU seconds that the submission has used."""
+        """Return the CPU seconds that the submission has used."""
         return self._cpu + sum(process.seconds() for process in self._processes.values())
 
     def describe_missing(self, name: str) -> str:
-        """Return what is missing of a function that is not there, or is still the stub."""
+        """Return a sentence on a function that is missing or still the stub."""
         return f"{name} is not written yet." if name in self._defined else f"Your file has no function {name}."
 
     def takes(self, name: str) -> str:
-        """Return the arguments of a function, by the contract."""
+        """Return the parameters of a function in the contract, as text."""
         return self._assignment.signature(name)
 
     def leave(self) -> None:
@@ -100,20 +100,20 @@ class Student:
 
     @property
     def text(self) -> str:
-        """What was handed in, as far as it is text."""
+        """The submitted text, with undecodable bytes replaced."""
         return self._source.text.decode("utf-8", "replace")
 
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]:
-        """One reply for each call up to the first error; Failed if the function hangs or ends its process.
+        """Return a reply for each call up to the first error; raise Failed if the function hangs or ends its process.
 
-        more : fields of the request; every=True asks for the calls behind an error, too
+        more : fields of the request; with every=True, also make the calls after an error
         """
         if name in self.broken:
             raise Failed(**self.broken[name])
         if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
             raise Failed(f"{name} takes too long to be called once more")
         banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
-        refused = [name for name in banned if name in results]  # functions of the file; the rest are modules
+        refused = [name for name in banned if name in results]  # functions of the file; the others are modules
         uncallable = tuple(name for name in banned if name not in results)
         process = self._process(uncallable)
         if name not in self._defined:
@@ -133,9 +133,9 @@ class Student:
         return replies
 
     def _must_end(self) -> None:
-        """Raise BudgetSpent for one that costs us its time to read, or sleeps through its calls and holds up the class.
+        """Raise BudgetSpent if reading its replies took the submission's CPU time, or its wall time is too long.
 
-        The processor time of a call is its process's to limit.
+        The sandbox process itself limits its CPU time.
         """
         read = self._cpu + sum(process.read for process in self._processes.values())
         if read > (most := self._zygote.limits.cpu):
@@ -145,7 +145,7 @@ class Student:
             raise BudgetSpent(f"the submission has taken {most:g} s, and used little processor time")
 
     def _end(self, uncallable: tuple[str, ...], name: str, message: str, call: Case) -> None:
-        """End a process: the function fails from now on, the others get a new process while there is CPU time."""
+        """End a process; raise Failed, now and at each later call of the function, or BudgetSpent if time is up."""
         self._end_process(self._processes.pop(uncallable))
         label = call.label if name in self.worked else ""
         why: Json = {"message": message, "label": label, "at": call, "function": name}
@@ -156,7 +156,7 @@ class Student:
         raise Failed(**why)
 
     def _end_process(self, process: SandboxProcess) -> None:
-        """End a process and count its CPU time; ZygoteLost if it died with its zygote, or by another's hand."""
+        """End a process and add its times; raise ZygoteLost if it died with its zygote, or was killed from outside."""
         self._cpu += process.end() + process.read
         self._lasted += process.lasted
         if not process.monitored:
@@ -165,7 +165,7 @@ class Student:
             raise ZygoteLost("the submission was killed by another process")
 
     def _process(self, uncallable: tuple[str, ...]) -> SandboxProcess:
-        """Return the process for functions that may not call these modules, with the submission loaded."""
+        """Return the process, with the submission loaded, for functions in which these modules are off limits."""
         if uncallable not in self._processes:
             hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
             process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden, self._assignment.states)

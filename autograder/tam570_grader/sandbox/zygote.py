@@ -1,4 +1,4 @@
-"""The supervisor's side of the sandbox: start a zygote, try it out, open a process for a submission."""
+"""The supervisor's connection to a zygote: start it, try it out, and open a process for each submission."""
 
 import functools
 import itertools
@@ -18,8 +18,8 @@ from tam570_grader.sandbox.launch import isolation, launch
 from tam570_grader.sandbox.process import LENGTH, ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
 
-FILE_SIZE = 2**25  # bytes a submission may write into its scratch folder
-LOWEST_USER, USERS = 20_000, 40_000  # ids that belong to nobody, within what most containers map
+FILE_SIZE = 2**25  # bytes that a submission may write into its scratch folder
+LOWEST_USER, USERS = 20_000, 40_000  # lowest and number of user ids that nobody has and most containers map
 CANARY = b"""
 def right(x):
     return [x, 2 * x]
@@ -29,66 +29,66 @@ def endless():
         pass
 """
 ASKED = {"mode": "value", "refused": []}
-STOPPED_AFTER = 0.002  # s that the endless call gets
+STOPPED_AFTER = 0.002  # s, time limit of the endless call
 
 _serial = itertools.count()
 
 
 @dataclass(frozen=True)
 class ResourceLimits:
-    """What a submission may use, as the teacher set it."""
+    """What a submission may use."""
 
     memory: int = 2**30  # bytes
-    cpu: float = 60.0  # s, the whole submission
-    call: float = 10.0  # s of CPU, one call
+    cpu: float = 60.0  # s of CPU time for the submission
+    call: float = 10.0  # s of CPU time for one call
     processes: int = 1
 
 
 class ZygoteLost(Over):
-    """The zygote itself has died, through no fault of a submission."""
+    """The zygote has died, or the submission was killed from outside; the submission is not at fault."""
 
 
 class NotConfined(ZygoteLost):
-    """The zygote works, and cannot do with a submission what it must; the message says what."""
+    """The zygote runs, but cannot confine or grade a submission as required; the message says why."""
 
 
 class Zygote:
-    """A warm process, in bubblewrap where there is one, from which each submission has a fork.
+    """A warm process, in bubblewrap if that works, of which a fork runs each submission.
 
-    Processes that are forked from the one that started it share it: a message with files is read by itself.
+    Supervisors that are forked from its owner share it: messages with file descriptors are not merged on its socket.
     """
 
     def __init__(self, preload: Sequence[str], limits: ResourceLimits, hidden: Sequence[Path] = ()) -> None:
         self.limits, self._serial, self._launched = limits, next(_serial), launch(hidden)
         self._control = self._launched.control
-        of_all: Json = {"file_size": FILE_SIZE, "processes": limits.processes}  # what comes with no process
+        of_all: Json = {"file_size": FILE_SIZE, "processes": limits.processes}  # the same for all processes
         of_all |= {"memory": limits.memory, "namespaces": isolation() == "bubblewrap"}
         settings = json.dumps({"limits": of_all, "preload": list(preload)}).encode()
-        with suppress(OSError):  # that it has ended is noticed when it is waited for
+        with suppress(OSError):  # if it has ended, `try_out` raises
             self._control.sendall(LENGTH.pack(len(settings)) + settings)
         self._ready = False
         self._canary: SandboxProcess | None = None
-        self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last one of each monitor
-        self._order: Json = {}  # the last one
-        self._spare: SandboxProcess | None = None  # a process for another order like it
+        self._holder, self._processes = os.getpid(), list[SandboxProcess]()  # the last process of each monitor
+        self._order: Json = {}  # the last order
+        self._spare: SandboxProcess | None = None  # a process for the next equal order
         with suppress(ZygoteLost):
             self._canary = self._asked_canary()
 
     @property
     def user(self) -> int | None:
-        """The id of the user that a submission becomes under root: another one for each supervisor and zygote."""
+        """The user id of submissions under root, different for each supervisor and zygote; None if they keep ours."""
         if os.geteuid() or not _maps_users():
             return None
         return LOWEST_USER + (16 * os.getpid() + self._serial) % USERS
 
     def process(self, cpu: float, hidden: Sequence[str] = (), states: Sequence[int] = ()) -> SandboxProcess:
-        """Return a new process with nothing loaded, for so many seconds of CPU, without sight of the hidden modules.
+        """Return a new process with nothing loaded, with `cpu` seconds of CPU time, that cannot see hidden modules.
 
-        From the second order of a kind on, the next process is confined while this one works.
+        After two equal orders, a spare process for the next one is started, and confined while this one works.
 
         states : see `Assignment`
         """
-        if self._holder != os.getpid():  # the monitors serve the supervisor that this one was forked from
+        if self._holder != os.getpid():  # the monitors belong to the supervisor from which this one was forked
             self._let_go()
         self.try_out()
         order: Json = {"cpu": max(1, math.ceil(cpu)), "hidden": list(hidden), "states": list(states)}
@@ -99,18 +99,18 @@ class Zygote:
         process = self._spare or self._opened(order)
         self._order, self._spare = order, None
         self._must_be_confined(process)
-        # no other process sees it, and it counts among the processes of its user
+        # only if submissions cannot see the spare, and their limit, which counts it, allows no further process anyway
         if is_repeated and isolation() == "bubblewrap" and self.limits.processes == 1:
             self._spare = self._opened(order)
         return process
 
     def compile_steps(self, states: Sequence[int]) -> None:
-        """Have the zygote compile steps of so many components, once for all monitors to come, without waiting."""
-        with suppress(OSError):  # that it has ended is noticed when it is waited for
+        """Let the zygote compile integration steps of these numbers of components for later monitors; do not wait."""
+        with suppress(OSError):  # if it has ended, `try_out` raises
             self._control.sendall(bytes(states))
 
     def _opened(self, order: Json) -> SandboxProcess:
-        """Return a process that may not be confined yet."""
+        """Return a process for an order, which may not be confined yet."""
         channel, process_end = socket.socketpair()
         order = {**order, "user": self.user}
         with process_end, ExitStack() as opened:
@@ -126,13 +126,13 @@ class Zygote:
         return process
 
     def _free_leash(self) -> socket.socket:
-        """Return the leash of a monitor whose process has ended, or of a new one."""
+        """Return the leash of a monitor whose process has ended, or of a new monitor."""
         for process in list(self._processes):
             try:
                 if process.has_ended():
                     self._processes.remove(process)
                     return process.leash
-            except OSError:  # its monitor has gone
+            except OSError:  # its monitor has ended
                 self._processes.remove(process)
                 process.leash.close()
         leash, monitor_end = socket.socketpair()
@@ -148,7 +148,7 @@ class Zygote:
         self._holder, self._processes, self._spare, self._canary = os.getpid(), [], None, None
 
     def _must_be_confined(self, process: SandboxProcess) -> None:
-        """Wait until it says so: one that ends before has not seen a submission, whose fault it cannot be."""
+        """Wait until a process, which has seen no submission yet, is confined; else raise ZygoteLost or NotConfined."""
         try:
             reply = process.receive(lambda reply: reply)
         except (ProcessLost, ProcessTimeout):
@@ -159,19 +159,19 @@ class Zygote:
             raise NotConfined(reply["confined"])
 
     def _asked_canary(self) -> SandboxProcess:
-        """Return a process that is asked for its right call, without waiting for anything: the zygote may be starting.
+        """Return a process to which the canary and its right call have been sent; do not wait: the zygote may start.
 
-        The order to open it is behind the settings, its requests are in its channel.
+        The sockets buffer the order to open the process, behind the settings, and the requests.
         """
         process = self._opened({"cpu": math.ceil(self.limits.cpu), "hidden": [], "states": []})
         load = {"source": CANARY, "notebook": False, "name": "canary", "functions": ["right", "endless"]}
-        with suppress(ProcessLost, ProcessTimeout):  # it is noticed when its replies are waited for
+        with suppress(ProcessLost, ProcessTimeout):  # `try_out` will notice
             process.send({**load, "uncallable": [], "forbidden": []})
             process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
         return process
 
     def try_out(self) -> None:
-        """Grade a canary, before any submission: a right call must return, and an endless one must be stopped."""
+        """Grade a canary before any submission: a right call must work, an endless one be late; else NotConfined."""
         if self._ready:
             return
         self._await_ready()
@@ -202,7 +202,7 @@ class Zygote:
             raise ZygoteLost("the zygote died")
 
     def close(self) -> None:
-        """End the zygote and everything in it, if this process started it; else others may still need it."""
+        """Close the sockets; if this process started the zygote, kill it and everything in it."""
         self._let_go()
         self._launched.close()
 
@@ -212,7 +212,7 @@ class Zygote:
 
     def _await_ready(self) -> None:
         try:
-            said = self._control.recv(5, socket.MSG_PEEK)  # who shares the zygote waits for it, too
+            said = self._control.recv(5, socket.MSG_PEEK)  # other supervisors need the message, too
         except OSError:
             said = b""
         if said != b"ready":
@@ -221,7 +221,7 @@ class Zygote:
 
 
 def _is_stopped(process: SandboxProcess) -> bool:
-    """Return whether a call that does not end is late when its time is over."""
+    """Return whether an endless call raises ProcessTimeout."""
     process.limit = STOPPED_AFTER
     try:
         process.send({**ASKED, "function": "endless", "calls": [[[], {}]]})
@@ -235,9 +235,9 @@ def _is_stopped(process: SandboxProcess) -> bool:
 
 @functools.cache
 def _maps_users() -> bool:
-    """Return whether root here can become the users that submissions run as.
+    """Return whether root can change to the user ids of submissions.
 
-    In a rootless container it may be alone.
+    In a rootless container, these ids may not exist.
     """
     for path in filter(Path.exists, (Path("/proc/self/uid_map"), Path("/proc/self/gid_map"))):
         ranges = [(int(first), int(count)) for first, _, count in map(str.split, path.read_text().splitlines())]
