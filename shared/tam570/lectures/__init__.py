@@ -1,7 +1,7 @@
 """The systems that the course solves in class, a module for each: its physics, what it conserves, a scene.
 
-A file in this folder is a lecture if its docstring begins with a date: `31 Aug: A mass on a spring`. To list the
-lectures, only first lines are read; to load one, no other is imported.
+A file in this folder is a lecture if its docstring begins with a date: `31 Aug: A mass on a spring`. Listing the
+lectures reads only first lines; loading one imports no other.
 """
 
 import re
@@ -84,7 +84,7 @@ def catalogue() -> dict[str, Lecture]:
 
 
 def is_lecture(what: str) -> bool:
-    """Return whether a name or a file means a lecture or a copy of one, and not an assignment."""
+    """Return whether this is the name of a lecture, or the file of a lecture or of a copy of one."""
     return what in catalogue() or Path(what).is_file() and heading(Path(what)) is not None
 
 

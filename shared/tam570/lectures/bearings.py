@@ -2,8 +2,8 @@
 
 z is the axis, fixed in the body and in space; the other axes turn with the body. M = I alpha + omega x I omega about a
 point of the axis, with omega = (0, 0, spin) and alpha = (0, 0, spin_rate), is (Ixz spin_rate - Iyz spin^2, Iyz
-spin_rate + Ixz spin^2, Izz spin_rate): the off-diagonal terms of I make what the bearings feel, a moment that goes
-round with the body (Greenwood, Principles of Dynamics, section 8-2).
+spin_rate + Ixz spin^2, Izz spin_rate): the off-diagonal terms of I cause a moment on the bearings that goes round with
+the body (Greenwood, Principles of Dynamics, section 8-2).
 """
 
 import numpy as np
@@ -21,11 +21,11 @@ EXAMPLE = {
     "spin_rate": 0.0,  # rad/s^2
 }
 UP = np.array([0.0, 0.0, 1.0])
-SHAFT = 1.5  # m, half of it
+SHAFT = 1.5  # m, half its length
 
 
 def moment(inertia: ArrayLike, spin: float, spin_rate: float) -> Array:
-    """(3,) N m in the body's axes, of inertia (3, 3), kg m^2, spin, rad/s, and spin_rate, rad/s^2."""
+    """Return (3,) N m in the body's axes, from inertia (3, 3), kg m^2, spin, rad/s, and spin_rate, rad/s^2."""
     matrix = symmetric((3, 3), inertia=inertia)
     finite(spin=spin, spin_rate=spin_rate)
     omega, alpha = spin * UP, spin_rate * UP
@@ -33,7 +33,7 @@ def moment(inertia: ArrayLike, spin: float, spin_rate: float) -> Array:
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return the body, and one that is balanced: the same without the off-diagonal terms."""
+    """Return the scene of the body, and of a balanced one without the off-diagonal terms."""
     spin, spin_rate = parameters["spin"], parameters["spin_rate"]
     matrix = symmetric((3, 3), inertia=parameters["inertia"])
     finite(spin=spin, spin_rate=spin_rate)
@@ -46,7 +46,7 @@ def film(parameters: Parameters) -> Scene:
     longest = float(across.max()) or 1.0
     push = arrow(np.zeros(3), 1.2 * in_space * [1, 1, 0] / longest, 1, "moment across the axis", 3)
     if spin_rate:
-        # Across the axis M has the size of sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4), whatever the angle.
+        # Across the axis M has the size sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4) at every angle.
         across = across / np.hypot(spin_rate, speeds**2)
     curves = dict(zip("xyz", in_space.T, strict=True))
     return Scene(
@@ -70,7 +70,7 @@ def film(parameters: Parameters) -> Scene:
 
 
 def _body(inertia: Array, R: Array) -> list[Shape]:
-    """Six equal masses on the principal axes, as far out as the moments of inertia ask, on their shaft."""
+    """Return six equal masses on the principal axes, as far out as the moments of inertia require, on their shaft."""
     moments, principal = np.linalg.eigh(inertia)
     squares = np.maximum(moments.sum() / 2 - moments, 0.0)
     reach = 1.1 * np.sqrt(squares / (squares.max() or 1.0))

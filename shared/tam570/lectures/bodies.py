@@ -23,11 +23,11 @@ EXAMPLE: Parameters = {"masses": (1.0, 1.0, 1.0), "newton": 1.0}  # kg, m^3/(kg 
 X, Y, VX, VY = 0.97000436, -0.24308753, 0.466203685, 0.43236573  # m, m, m/s, m/s
 START = (X, Y, 0.0, -X, -Y, 0.0, 0.0, 0.0, 0.0, VX, VY, 0.0, VX, VY, 0.0, -2 * VX, -2 * VY, 0.0)
 SECONDS = 12.65182796
-MANY = 10  # from so many bodies on arrays are faster than loops
+MANY = 10  # bodies, from which arrays are faster than loops
 
 
 def rates(t: float, state: Sequence[float], *, masses: Sequence[float], newton: float) -> Sequence[float]:
-    """(6 n,) all velocities, m/s, then all accelerations, m/s^2.
+    """Return (6 n,) all velocities, m/s, then all accelerations, m/s^2.
 
     masses : (n,) kg
     newton : the constant of gravitation, m^3/(kg s^2)
@@ -37,7 +37,7 @@ def rates(t: float, state: Sequence[float], *, masses: Sequence[float], newton: 
     sequence(6 * n, state=state)
     try:
         accelerations = (_by_arrays if n >= MANY else _by_pairs)(state[: 3 * n], each, newton)
-    except ZeroDivisionError:  # two bodies at one place, where a trial step may end
+    except ZeroDivisionError:  # two bodies at the same place, where a trial step may end
         accelerations = [nan] * (3 * n)
     return (*state[3 * n :], *accelerations)
 
@@ -58,14 +58,14 @@ def _by_pairs(places: Sequence[float], masses: Sequence[float], newton: float) -
 def _by_arrays(places: Sequence[float], masses: Sequence[float], newton: float) -> list[float]:
     r = np.reshape(places, (-1, 3))
     gaps = r - r[:, None]  # from i, the first index, to j
-    squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # none pulls at itself: its gap is 0
+    squares = (gaps * gaps).sum(axis=-1) + np.eye(len(r))  # no body pulls itself: its gap is 0
     divisors(squares)
     factors = newton * np.asarray(masses) / (squares * np.sqrt(squares))
     return (factors[:, :, None] * gaps).sum(axis=1).ravel().tolist()
 
 
 def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float:
-    """Kinetic energy and that of all pairs, J."""
+    """Energy, J: kinetic, and potential of all pairs."""
     m, r, v = _parts(state, masses, newton)
     first, second = np.triu_indices(len(m), 1)
     distances = np.sqrt(((r[first] - r[second]) ** 2).sum(axis=1))
@@ -73,13 +73,13 @@ def energy(state: ArrayLike, *, masses: Sequence[float], newton: float) -> float
 
 
 def momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
-    """(3,) kg m/s."""
+    """Linear momentum, (3,) kg m/s."""
     m, _, v = _parts(state, masses, newton)
     return m @ v
 
 
 def angular_momentum(state: ArrayLike, *, masses: Sequence[float], newton: float) -> Array:
-    """(3,) about the origin, kg m^2/s."""
+    """Angular momentum about the origin, (3,) kg m^2/s."""
     m, r, v = _parts(state, masses, newton)
     return m @ np.cross(r, v)
 
@@ -93,14 +93,14 @@ def _checked(masses: Sequence[float], newton: float) -> tuple[float, ...]:
 
 
 def _parts(state: ArrayLike, masses: Sequence[float], newton: float) -> tuple[Array, Array, Array]:
-    """(n,) masses, (n, 3) positions, (n, 3) velocities."""
+    """Return (n,) masses, (n, 3) positions, (n, 3) velocities."""
     m = np.array(_checked(masses, newton))
     r, v = numbers(6 * len(m), state=state).reshape(2, -1, 3)
     return m, r, v
 
 
 def _fastest(start: ArrayLike, *, masses: Sequence[float], newton: float) -> float:
-    """rad/s, at which the two nearest bodies would circle each other if they had all of the mass."""
+    """Return the rate, rad/s, at which the two nearest bodies would circle each other if they had the mass of all."""
     m, r, _ = _parts(start, masses, newton)
     first, second = np.triu_indices(len(m), 1)
     nearest = float(((r[first] - r[second]) ** 2).sum(axis=1).min(initial=inf))  # m^2
@@ -108,7 +108,7 @@ def _fastest(start: ArrayLike, *, masses: Sequence[float], newton: float) -> flo
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return all of them with their paths."""
+    """Return the scene of all bodies with their paths."""
     drawable_rate("masses and newton at this start", _fastest(start, **parameters))
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)

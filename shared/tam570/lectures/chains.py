@@ -1,16 +1,16 @@
 """30 Nov: Chains that fall, are lifted and are poured.
 
 A folded chain hung by one end: the other end, let go beside it, has fallen x. The moving part is (length - x)/2 long.
-If the links come to rest inelastically at the fold, no tension acts on it and it falls freely, g. If energy is kept,
+If links come to rest inelastically at the fold, no tension acts on this part and it falls freely, g. If energy is kept,
 (length - x) v^2 = g (2 length x - x^2) + const and its end falls faster, g + v^2/(2 (length - x)): the fold pulls it
 down (Wong and Yasui, American Journal of Physics 74, 2006). Nothing in F = m a says which of the two a chain does.
 
-Where links start or stop, their momentum changes by density v^2 a second. Textbooks assume that the chain's own tension
-does all of it at a heap, and a scale all of it at the end of a fall. Both are assumptions: a link that is picked up by
-one end pushes the heap with the other, which throws it up (Biggins and Warner, Proceedings of the Royal Society A 470,
-2014); one that lands on one end pulls down the chain above it (Grewal, Johnson and Ruina, American Journal of Physics
-79, 2011). So `supplied` is the share of that momentum that the other chain supplies: the one at rest in the heap, the
-one above the scale. 0 is the textbook, where half of density v^3 is lost; at 1/2 nothing is; a real chain is between.
+Where links start or stop, their momentum changes by density v^2 a second. Textbooks assume that the chain's tension
+supplies all of it at a heap, and a scale all of it at the end of a fall. Both are assumptions: a link that is picked up
+by one end pushes the heap with the other, which throws it up (Biggins and Warner, Proceedings of the Royal Society A
+470, 2014); one that lands on one end pulls down the chain above it (Grewal, Johnson and Ruina, American Journal of
+Physics 79, 2011). So `supplied` is the share of that momentum from the rest of the chain: in the heap, or above the
+scale. 0 is the textbook, where half of density v^3 is lost; at 1/2 nothing is lost; a real chain is between.
 """
 
 from math import inf, sqrt
@@ -22,7 +22,7 @@ EXAMPLE = {"length": 40.0, "density": 1.0, "speed": 8.0, "gravity": 9.81, "suppl
 
 
 def folded(fallen: float, speed: float, *, length: float, gravity: float) -> tuple[float, float]:
-    """(by energy, inelastic) acceleration, m/s^2 downwards, of the end that has fallen, m, at this speed, m/s."""
+    """Return (by energy, inelastic) acceleration, m/s^2 downwards, of the end that has `fallen`, m, at `speed`, m/s."""
     positive(length=length)
     finite(speed=speed, gravity=gravity)
     nonnegative(fallen=fallen)
@@ -32,7 +32,7 @@ def folded(fallen: float, speed: float, *, length: float, gravity: float) -> tup
 
 
 def lifted(height: float, speed: float, *, density: float, gravity: float, supplied: float = 0.0) -> float:
-    """N, that lifts the end of a chain of density, kg/m, steadily from a heap; it is at this height, m, now.
+    """Return the force, N, that lifts a chain of `density`, kg/m, steadily from a heap, with its end at `height`, m.
 
     supplied : share of the links' momentum, from 0 to 1, that the heap's push supplies
     """
@@ -44,10 +44,10 @@ def lifted(height: float, speed: float, *, density: float, gravity: float, suppl
 
 
 def poured(fallen: float, *, density: float, gravity: float, supplied: float = 0.0, length: float = inf) -> float:
-    """N, that the scale shows while a chain of density, kg/m, let go with its lower end at it has fallen this much, m.
+    """Return the reading of a scale, N, on which a chain of `density`, kg/m, let go just above it, has `fallen`, m.
 
-    supplied : share of the links' momentum, from 0 to 1, that the chain above supplies, and is pulled down for
-    length   : of the whole chain, m; if very long it hardly feels that pull
+    supplied : share of the links' momentum, from 0 to 1, that the chain above supplies, which pulls it down
+    length   : of the chain, m; that pull hardly accelerates a very long one
     """
     positive(density=density)
     nonnegative(gravity=gravity)
@@ -56,7 +56,7 @@ def poured(fallen: float, *, density: float, gravity: float, supplied: float = 0
 
 
 def _landing_speed(fallen: float, length: float, gravity: float, supplied: float) -> float:
-    """m/s. (length - x) v v' = (length - x) g + supplied v^2, which has a solution in powers of length - x."""
+    """Return the speed, m/s, from (length - x) v v' = (length - x) g + supplied v^2, in powers of length - x."""
     nonnegative(fallen=fallen)
     _check_share(supplied)
     if supplied == 0 or length == inf:

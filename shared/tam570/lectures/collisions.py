@@ -2,8 +2,8 @@
 
 The impulse J acts along the common normal n, on the second body, and -J n on the first. With the arms r from the
 centres of mass to the contact, the relative velocity along n changes by J/mu, 1/mu = 1/m1 + 1/m2 + (r1 x n)^2/I1 + (r2
-x n)^2/I2, and Newton's law asks that they separate at `restitution` times the speed at which they approached: J = (1 +
-e) mu v. The loss is (1 - e^2) mu v^2/2. A body of infinite mass and inertia is a wall.
+x n)^2/I2, and by Newton's law they separate at `restitution` times the speed at which they approached: J = (1 + e) mu
+v. The loss is (1 - e^2) mu v^2/2. A body of infinite mass and inertia is a wall.
 """
 
 from collections.abc import Sequence
@@ -16,7 +16,7 @@ from tam570.show.scene import Array
 from tam570.show.scenes import collisions, drawn_for
 
 EXAMPLE = {"restitution": 0.95}
-PARTED = 1e-12  # of the speeds at the contact: what rounding leaves of bodies that keep together
+PARTED = 1e-12  # of the speeds at the contact: rounding of bodies that stay together
 SETTLED = 1e-14  # of the largest speed: an approach below this is rounding
 
 
@@ -29,13 +29,13 @@ def collide(
     inertias: Sequence[float],
     restitution: float,
 ) -> tuple[Array, float]:
-    """Velocities after the collision (2, 3) and the impulse, N s, on the second body along the normal.
+    """Return velocities after the collision (2, 3), and the impulse, N s, on the second body along the normal.
 
     velocities : (2, 3) vx, vy, m/s, and om, rad/s, of both bodies
     normal     : (2,) from the first body to the second, of any length but 0
     arms       : (2, 2) m, from each centre of mass to the contact
     masses, inertias : (2,) kg and kg m^2; either may be infinite
-    ValueError if the bodies separate, or neither can give way.
+    Raise ValueError if the bodies separate, or neither can move.
     """
     before, r = array((2, 3), velocities=velocities), array((2, 2), arms=arms)
     along = numbers(2, normal=normal)
@@ -45,7 +45,7 @@ def collide(
     n = along / size
     _check_restitution(restitution)
     turns = r[:, 0] * n[1] - r[:, 1] * n[0]
-    ways = np.column_stack([[n, n], turns]) * [[-1.0], [1.0]]  # what a unit impulse does, before the inverse masses
+    ways = np.column_stack([[n, n], turns]) * [[-1.0], [1.0]]  # generalised forces of a unit impulse
     softness = ways * np.column_stack([_inverse(masses=masses)] * 2 + [_inverse(inertias=inertias)])
     approach = -float(np.sum(ways * before))
     if approach < -PARTED * float(np.abs(ways * before).sum()):
@@ -58,9 +58,9 @@ def collide(
 
 
 def cradle(speeds: ArrayLike, *, restitution: float) -> Array:
-    """(n,) m/s after all collisions of equal balls in a row, from left to right, that touch; speeds (n,) to the right.
+    """Return (n,) m/s after all collisions of equal balls that touch in a row, left to right; speeds (n,) to the right.
 
-    They collide by twos, one pair after the other, until no ball approaches the next.
+    They collide in pairs, one pair after the other, until no ball approaches the next.
     """
     now = numbers(speeds=speeds)
     _check_restitution(restitution)
@@ -76,7 +76,7 @@ def cradle(speeds: ArrayLike, *, restitution: float) -> Array:
 
 
 def _inverse(**values: ArrayLike) -> Array:
-    """(2,) one over each, 0 for the infinite."""
+    """Return (2,) one over each value, 0 for infinity. Raise ValueError unless both are positive."""
     ((name, value),) = values.items()
     try:
         pair = np.array(value, dtype=float)

@@ -22,7 +22,7 @@ SHAPES = (0.4, 1.4)  # axial, of the scene's slider; from a rod to a disk
 
 
 def omega(t: ArrayLike, *, axial: float, transverse: float, spin: float, wobble: float) -> Array:
-    """(n, 3) rad/s in space at the times t (n,), s; or (3,) at one time."""
+    """Return omega in space, (n, 3) rad/s, at the times t (n,), s; or (3,) at one time."""
     along, across = _momentum(axial, transverse, spin, wobble)
     H = hypot(along, across) or 1.0
     out, up = (spin * across - wobble * along) / H, (spin * along + wobble * across) / H
@@ -30,40 +30,40 @@ def omega(t: ArrayLike, *, axial: float, transverse: float, spin: float, wobble:
 
 
 def axis(t: ArrayLike, *, axial: float, transverse: float, spin: float, wobble: float) -> Array:
-    """(n, 3) unit vector along the axis of the body, in space; or (3,) at one time."""
+    """Return the unit vector along the axis of the body, in space, (n, 3); or (3,) at one time."""
     along, across = _momentum(axial, transverse, spin, wobble)
     angle = atan2(across, along)
     return _round(t, np.sin(angle), np.cos(angle), hypot(along, across) / transverse)
 
 
 def body_cone(*, axial: float, transverse: float, spin: float, wobble: float) -> float:
-    """rad, half-angle from the axis to omega, in [0, pi]. ValueError for a body at rest."""
+    """Return the half-angle from the axis to omega, rad, in [0, pi]. Raise ValueError for a body at rest."""
     _momentum(axial, transverse, spin, wobble, moving=True)
     return atan2(abs(wobble), spin)
 
 
 def space_cone(*, axial: float, transverse: float, spin: float, wobble: float) -> float:
-    """rad, half-angle from H to omega, in [0, pi/2). ValueError for a body at rest."""
+    """Return the half-angle from H to omega, rad, in [0, pi/2). Raise ValueError for a body at rest."""
     along, across = _momentum(axial, transverse, spin, wobble, moving=True)
     return atan2(abs(spin * across - wobble * along), spin * along + wobble * across)
 
 
 def precession_rate(*, axial: float, transverse: float, spin: float, wobble: float) -> float:
-    """rad/s, at which axis and omega go round H in space."""
+    """Return the rate, rad/s, at which axis and omega go round H in space."""
     return hypot(*_momentum(axial, transverse, spin, wobble)) / transverse
 
 
 def body_rate(*, axial: float, transverse: float, spin: float, wobble: float) -> float:
-    """rad/s, at which omega goes round the axis in the body, its size.
+    """Return the size of the rate, rad/s, at which omega goes round the axis in the body.
 
-    As the body spins for a flat body (axial > transverse), the other way for a long one.
+    Its direction is that of the spin for a flat body (axial > transverse), opposite for a long one.
     """
     _momentum(axial, transverse, spin, wobble)
     return abs((axial - transverse) * spin) / transverse
 
 
 def _momentum(axial: float, transverse: float, spin: float, wobble: float, moving: bool = False) -> tuple[float, float]:
-    """Angular momentum along the axis and across it, kg m^2/s; every argument checked."""
+    """Return the angular momentum along the axis and across it, kg m^2/s; check every argument."""
     positive(axial=axial, transverse=transverse)
     finite(spin=spin, wobble=wobble)
     if moving and spin == wobble == 0.0:
@@ -72,13 +72,13 @@ def _momentum(axial: float, transverse: float, spin: float, wobble: float, movin
 
 
 def _round(t: ArrayLike, out: float, up: float, rate: float) -> Array:
-    """(..., 3) a vector that goes round z at this rate."""
+    """Return (..., 3) a vector that goes round z at this rate."""
     turned = rate * array(None, t=t)
     return np.stack([out * np.cos(turned), out * np.sin(turned), up + 0.0 * turned], axis=-1)
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """Return the body with a slider that makes a rod of it, or a disk."""
+    """Return the scene of the body, with a slider that changes it from a rod to a disk."""
     name = "moment of inertia about the axis"
     return with_slider(lambda C: _film({**parameters, "axial": C}), name, "kg m²", SHAPES, parameters["axial"])
 

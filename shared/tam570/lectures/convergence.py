@@ -3,9 +3,9 @@
 A double pendulum of two particles on rods without mass; angles from straight down. Along the rods the balance of
 forces gives the tensions, T1 = m1 (l1 om1^2 + g cos th1) + T2 cos(d) with d = th2 - th1, and, as rod 2 keeps its
 length, T2 (1/m2 + sin(d)^2/m1) = l2 om2^2 + (l1 om1^2 + g cos th1) cos(d); across them it gives the angular
-accelerations. The wrong equations forget l1 om1^2, the centripetal acceleration of particle 1, in T2. Halve the step of
-a method of order p and the error becomes 2^-p of what it was, by the right equations and by the wrong ones; only the
-energy knows which is which (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.1).
+accelerations. The wrong equations forget l1 om1^2, the centripetal acceleration of particle 1, in T2. With half the
+step, a method of order p has 2^-p of the error, by the right equations and by the wrong ones; only the energy tells
+them apart (Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.1).
 """
 
 from collections.abc import Sequence
@@ -25,8 +25,8 @@ STATE = {"th1": "rad", "th2": "rad", "om1": "rad/s", "om2": "rad/s"}
 EXAMPLE: Parameters = {"masses": (1.0, 0.6), "lengths": (1.0, 0.8), "gravity": 9.81}  # kg, m, m/s^2
 START = (1.2, 0.4, 0.0, 0.0)
 SECONDS = 8.0
-DURATION, SHORTEST = 0.5, 1e-6  # s, after which `errors` compares; of a step
-STAGES: dict[str, tuple[tuple[float, ...], ...]] = {  # of each stage its weights of those before; last, the sum's
+DURATION, SHORTEST = 0.5, 1e-6  # s: time at which `errors` compares; shortest step
+STAGES: dict[str, tuple[tuple[float, ...], ...]] = {  # weights of the earlier stages in each stage; last, in the step
     "euler": ((), (1.0,)),
     "heun": ((), (1.0,), (1 / 2, 1 / 2)),
     "rk4": ((), (1 / 2,), (0.0, 1 / 2), (0.0, 0.0, 1.0), (1 / 6, 1 / 3, 1 / 3, 1 / 6)),
@@ -36,14 +36,14 @@ STAGES: dict[str, tuple[tuple[float, ...], ...]] = {  # of each stage its weight
 def rates(
     t: float, state: Sequence[float], *, masses: Sequence[float], lengths: Sequence[float], gravity: float
 ) -> tuple[float, ...]:
-    """(4,) rates of the angles, rad/s, and their accelerations, rad/s^2; masses (2,), kg, lengths (2,), m."""
+    """Return (4,) rates of the angles, rad/s, and accelerations, rad/s^2; masses (2,), kg, lengths (2,), m."""
     return _rates(state, masses, lengths, gravity, forget=False)
 
 
 def wrong_rates(
     t: float, state: Sequence[float], *, masses: Sequence[float], lengths: Sequence[float], gravity: float
 ) -> tuple[float, ...]:
-    """(4,) the same without the centripetal acceleration of particle 1 in the tension of rod 2, which is wrong."""
+    """Return (4,) the same, wrongly without the centripetal acceleration of particle 1 in the tension of rod 2."""
     return _rates(state, masses, lengths, gravity, forget=True)
 
 
@@ -61,7 +61,7 @@ def _rates(
 
 
 def energy(state: ArrayLike, *, masses: Sequence[float], lengths: Sequence[float], gravity: float) -> float:
-    """J, from hanging straight down at rest."""
+    """Energy, J; 0 when the pendulum hangs straight down at rest."""
     (m1, m2), (l1, l2) = _checked(masses, lengths, gravity)
     th1, th2, om1, om2 = numbers(4, state=state).tolist()
     v1, v2, d = l1 * om1, l2 * om2, th2 - th1
@@ -74,11 +74,11 @@ INVARIANTS = {"energy": energy}
 
 
 def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
-    """(right, wrong): (n,) rad each, the error of the angles after half a second, by either equations.
+    """Return (right, wrong), (n,) rad each: errors of the angles after half a second, by either equations.
 
     method : "Euler", "Heun" or "RK4"
-    steps  : (n,) s, each at most .5; the nearest that makes a whole number of steps is taken
-    Each is measured against the solution of its own equations, from START with the parameters of EXAMPLE.
+    steps  : (n,) s, each at most 0.5; rounded to the nearest that makes a whole number of steps
+    Errors are relative to the exact solution of the same equations, from START with the parameters of EXAMPLE.
     """
     if not isinstance(method, str) or method.lower() not in STAGES:
         raise ValueError(f"method: must be one of Euler, Heun, RK4, got {method!r}")
@@ -94,14 +94,14 @@ def errors(method: str, steps: ArrayLike) -> tuple[Array, Array]:
 
 
 def order(method: str, steps: ArrayLike) -> tuple[float, float]:
-    """(right, wrong) observed orders of a method: the slope of log(error) over log(step), steps (n,), s, n >= 2."""
+    """Return (right, wrong) observed orders of a method: slopes of log(error) over log(step), steps (n,), s, n >= 2."""
     correct, wrong = errors(method, steps)
     counts = np.rint(DURATION / numbers(steps=steps))
     return observed_order(DURATION / counts, correct), observed_order(DURATION / counts, wrong)
 
 
 def _stepped(equations: Function, weights: Sequence[Sequence[float]], count: int) -> Array:
-    """(4,) the state after `count` equal steps of an explicit Runge-Kutta method."""
+    """Return (4,) the state after `count` equal steps of an explicit Runge-Kutta method."""
     state, h = np.array(START), DURATION / count
     for _ in range(count):
         slopes: list[Array] = []

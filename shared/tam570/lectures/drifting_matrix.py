@@ -2,7 +2,7 @@
 
 Free body: R' = hat(omega) R and, as H does not change, I omega' = -omega x I omega with I = R diag(inertia) R^T; omega
 in space. The nine numbers of R obey six conditions, R^T R = I, that no equation here enforces: each step of a
-Runge-Kutta method breaks them a little, and the breaks add up. `tam570.integrate.solve_rotation` turns R by rotations
+Runge-Kutta method violates them a little, and the errors add up. `tam570.integrate.solve_rotation` turns R by rotations
 only.
 """
 
@@ -25,11 +25,11 @@ EXAMPLE = {"inertia": (1.0, 2.0, 2.6)}  # kg m^2, about the principal axes of th
 START = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.3, 2.0, 0.4)
 SECONDS = 20.0
 LOOSE = 1e-6  # rtol of the scene
-SEEN = 0.5  # largest R^T R - I that is drawn, so that it is seen
+SEEN = 0.5  # R^T R - I is drawn enlarged to this size at most
 
 
 def rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
-    """(12,) R', 1/s, row by row, and omega', rad/s^2."""
+    """Return (12,) R', 1/s, row by row, and omega', rad/s^2."""
     moments = positives(3, inertia=inertia)
     sequence(12, state=state)
     R, w = [state[0:3], state[3:6], state[6:9]], state[9:12]
@@ -46,7 +46,7 @@ def energy(state: ArrayLike, *, inertia: Sequence[float]) -> float:
 
 
 def angular_momentum(state: ArrayLike, *, inertia: Sequence[float]) -> Array:
-    """(3,) kg m^2/s in space."""
+    """Angular momentum in space, (3,) kg m^2/s."""
     values = numbers(12, state=state)
     R, omega = values[:9].reshape(3, 3), values[9:]
     return R @ (np.array(positives(3, inertia=inertia)) * (R.T @ omega))
@@ -68,7 +68,7 @@ def _in_body(R: Sequence[Sequence[float]], v: Sequence[float]) -> list[float]:
 
 
 def _drift(times: Array, start: Sequence[float], parameters: Parameters) -> tuple[Array, Array]:
-    """States, and R^T R - I at the ends of the steps: between them the formula of a step is off by more."""
+    """Return states, and R^T R - I interpolated between the ends of steps: within a step it has a larger error."""
     ends = [np.array([*start, times[0]])]
 
     def noted(state: Array) -> Array:
@@ -86,7 +86,7 @@ def _drift(times: Array, start: Sequence[float], parameters: Parameters) -> tupl
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """One body twice, both at a loose tolerance."""
+    """Return the scene of one body, solved in two ways at a loose tolerance."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     states, strain = _drift(times, start, parameters)
     R0, omega0 = states[0, :9].reshape(3, 3), states[0, 9:]

@@ -1,8 +1,8 @@
 """3 Oct: Dyads, and a rotation as the sum of three of them, or of nine.
 
 The dyad a b turns a vector r into a (b . r); its matrix is a b^T. A rotation that takes the triad e1, e2, e3 to
-e1', e2', e3' is R = e1' e1 + e2' e2 + e3' e3, three dyads of mixed base vectors. With the base vectors of one triad
-alone it takes nine: R = sum of R_ij ei ej with R_ij = ei . R ej. Triads are (3, 3), their vectors the rows.
+e1', e2', e3' is R = e1' e1 + e2' e2 + e3' e3, three dyads of mixed base vectors. With the base vectors of a single
+triad it takes nine: R = sum of R_ij ei ej with R_ij = ei . R ej. Triads are (3, 3), their vectors the rows.
 """
 
 import numpy as np
@@ -20,16 +20,16 @@ EXAMPLE: Parameters = {  # triads, and a vector to turn, m
     "vector": (0.9, 0.5, 0.7),
 }
 SECONDS = 8.0  # of the scene
-LARGEST = 1e-9  # of what is off in a triad: its rotation is off by as much
+LARGEST = 1e-9  # error of a triad's elements; its rotation has as large an error
 
 
 def dyad(a: ArrayLike, b: ArrayLike) -> Array:
-    """(3, 3) the matrix of the dyad a b of two vectors (3,)."""
+    """Return (3, 3) the matrix of the dyad a b of two vectors (3,)."""
     return np.outer(numbers(3, a=a), numbers(3, b=b))
 
 
 def rotation(before: ArrayLike, after: ArrayLike) -> Array:
-    """(3, 3) the rotation with rotation(before, after) @ before[i] = after[i], the sum of three dyads.
+    """Return (3, 3) the rotation with rotation(before, after) @ before[i] = after[i], as the sum of three dyads.
 
     before, after : (3, 3) orthonormal rows, both right-handed or both left-handed, else ValueError
     """
@@ -40,7 +40,7 @@ def rotation(before: ArrayLike, after: ArrayLike) -> Array:
 
 
 def nine(R: ArrayLike, triad: ArrayLike) -> Array:
-    """(3, 3) the coefficients R_ij = ei . R ej, with which R is the sum of the nine dyads ei ej.
+    """Return (3, 3) the coefficients R_ij = ei . R ej, with which R is the sum of the nine dyads ei ej.
 
     R     : (3, 3)
     triad : (3, 3) orthonormal rows, else ValueError
@@ -57,7 +57,7 @@ def _triad(**vectors: ArrayLike) -> Array:
 
 
 def film(parameters: Parameters) -> Scene:
-    """Turn a vector: its components stay, their base vectors go from one triad to the other."""
+    """Return the scene of a vector that turns: its components stay, their base vectors go from triad to triad."""
     before, vector = array((3, 3), before=parameters["before"]), numbers(3, vector=parameters["vector"])
     times = frame_times(SECONDS)
     share = np.sin(np.pi * times / SECONDS) ** 2  # there and back

@@ -1,11 +1,11 @@
 """26 Oct: Motion seen from a turntable, and Foucault's pendulum.
 
 The turntable turns counter-clockwise at `spin` W, its axes along those of space at t = 0; a spring of zero rest length
-pulls a particle to its centre. Differentiating components leaves out W x: v_space = v + W x r, and once more a_space =
+pulls a particle to its centre. Rates of components lack the term W x: v_space = v + W x r, and once more a_space =
 a + 2 W x v + W x (W x r). So an observer on the table adds -2 m W x v, Coriolis' force, and m W^2 r, the centrifugal
-one, to F = m a. No body exerts them. Energy with the second one's potential, m (v^2 - W^2 r^2)/2 + k r^2/2, is Jacobi's
-integral. The Earth turns at W sin(latitude) about the vertical of a place, and a pendulum's plane at as much the other
-way (Goldstein, Classical Mechanics, sections 4.9 and 4.10).
+one, to F = m a. No body exerts them. The energy with the second one's potential, m (v^2 - W^2 r^2)/2 + k r^2/2, is
+Jacobi's integral. The Earth turns at W sin(latitude) about the vertical of a place; the plane of a pendulum turns as
+fast in the opposite direction (Goldstein, Classical Mechanics, sections 4.9 and 4.10).
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ Complex = NDArray[np.complex128]  # x + i y
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, spin: float) -> tuple[float, ...]:
-    """(4,) velocity, m/s, and acceleration, m/s^2, as seen from the turntable."""
+    """Return (4,) velocity, m/s, and acceleration, m/s^2, as seen from the turntable."""
     _check(mass, stiffness, spin)
     sequence(4, state=state)
     x, y, vx, vy = state
@@ -36,20 +36,20 @@ def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, sp
 
 
 def coriolis(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
-    """(2,) N, -2 m W x v: to the right of the velocity where the table turns counter-clockwise."""
+    """Return (2,) N, -2 m W x v: to the right of the velocity if the table turns counter-clockwise."""
     _check(mass, stiffness, spin)
     _, _, vx, vy = numbers(4, state=state)
     return 2 * mass * spin * np.array([vy, -vx])
 
 
 def centrifugal(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
-    """(2,) N, m W^2 r: away from the centre."""
+    """Return (2,) N, m W^2 r: away from the centre."""
     _check(mass, stiffness, spin)
     return mass * spin**2 * numbers(4, state=state)[:2]
 
 
 def to_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
-    """(4,) state in space of one seen from the turntable at the time t, s; or (n, 4) of (n, 4) at t (n,)."""
+    """Convert a state (4,), seen from the turntable at the time t, s, to one in space; or (n, 4) at t (n,)."""
     finite(spin=spin)
     r, v = _complex(state)
     turned = np.exp(1j * spin * array(np.shape(state)[:-1], t=t))
@@ -57,7 +57,7 @@ def to_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
 
 
 def from_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
-    """(4,) state seen from the turntable of one in space at the time t, s; or (n, 4) of (n, 4) at t (n,)."""
+    """Convert a state (4,) in space, at the time t, s, to one seen from the turntable; or (n, 4) at t (n,)."""
     finite(spin=spin)
     r, v = _complex(state)
     turned = np.exp(-1j * spin * array(np.shape(state)[:-1], t=t))
@@ -65,7 +65,7 @@ def from_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
-    """(n, 4) states at the times t (n,), s, of the motion that has `state` at t[0]; in space an ellipse or a line."""
+    """Return (n, 4) states at the times t (n,), s, of the motion from `state` at t[0]: an ellipse or line in space."""
     _check(mass, stiffness, spin)
     times, start = numbers(t=t), numbers(4, state=state)
     since, w = times - times[:1], sqrt(stiffness / mass)
@@ -75,14 +75,14 @@ def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float, spin
 
 
 def jacobi_integral(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> float:
-    """J: kinetic energy on the turntable, the spring's, and that of the centrifugal force."""
+    """Jacobi's integral, J: kinetic energy on the turntable, and potential of the spring and the centrifugal force."""
     _check(mass, stiffness, spin)
     x, y, vx, vy = numbers(4, state=state)
     return float(mass * (vx**2 + vy**2) + (stiffness - mass * spin**2) * (x**2 + y**2)) / 2
 
 
 def angular_momentum(state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> float:
-    """kg m^2/s, in space, about the centre."""
+    """Angular momentum in space about the centre, kg m^2/s."""
     _check(mass, stiffness, spin)
     x, y, vx, vy = numbers(4, state=state)
     return float(mass * (x * vy - y * vx + spin * (x**2 + y**2)))
@@ -92,9 +92,9 @@ INVARIANTS = {"jacobi_integral": jacobi_integral, "angular_momentum": angular_mo
 
 
 def foucault(t: ArrayLike, *, length: float, gravity: float, latitude: float, spin: float) -> Array:
-    """rad, by which a pendulum's plane has turned at the times t, s, counter-clockwise seen from above.
+    """Return the angle, rad, by which a pendulum's plane has turned at the times t, s, counter-clockwise from above.
 
-    length, gravity : m, m/s^2; they set how fast it swings, and not how fast its plane turns
+    length, gravity : m, m/s^2; they determine how fast the pendulum swings, not how fast its plane turns
     latitude        : rad, north positive
     spin            : rad/s, of the Earth
     """
@@ -104,7 +104,7 @@ def foucault(t: ArrayLike, *, length: float, gravity: float, latitude: float, sp
 
 
 def foucault_path(t: ArrayLike, *, length: float, gravity: float, latitude: float, spin: float) -> Array:
-    """(n, 2) east and north of a bob let go at rest, on Earth, 1 to the east, at the times t (n,), s; small swings."""
+    """Return (n, 2) east and north at the times t (n,), s, of a bob let go at rest on Earth at (1, 0); small swings."""
     plane = foucault(t, length=length, gravity=gravity, latitude=latitude, spin=spin)
     rate = spin * sin(latitude)
     w = hypot(sqrt(gravity / length), rate)

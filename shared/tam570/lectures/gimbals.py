@@ -2,9 +2,9 @@
 
 The first ring turns about an axis of space, each further one about an axis of the ring before it: R = Rz(psi)
 Rx(theta) Rz(phi) for "313", R = Rz(psi) Rx(theta) Ry(phi) for "312". The angular velocity is the sum of each rate
-along the axis of its ring. Where the first axis and the last are parallel, two of the rates do the same and no third
-does what is missing: the gimbal locks, at theta = 0 or pi for "313", at +-pi/2 for "312" (Greenwood, Principles of
-Dynamics, section 7-13). Space: z is the first axis.
+along the axis of its ring. Where the first axis and the last are parallel, two of the rates have the same effect, and
+no rates turn the body about a third axis: the gimbal locks, at theta = 0 or pi for "313", at +-pi/2 for "312"
+(Greenwood, Principles of Dynamics, section 7-13). Space: z is the first axis.
 """
 
 import numpy as np
@@ -19,24 +19,27 @@ from tam570.values import Parameters
 
 EXAMPLE = {"sequence": "313", "miss": 0.12}  # rad, by which the scene's body misses the lock
 SEQUENCES = ("313", "312")
-LOCK = 1e-12  # volume that the three axes span, below which they are in one plane but for rounding
+LOCK = 1e-12  # volume that the three axes span, below which they are in one plane to rounding
 SPEED, SECONDS = 0.3, 8.0  # rad/s, s, of the scene
 
 
 def rings(angles: ArrayLike, sequence: str) -> Array:
-    """(3, 3, 3) the matrices after the first turn, the first two, all three; angles psi, theta, phi (3,), rad."""
+    """Return (3, 3, 3) the matrices after the first turn, the first two, all three; angles psi, theta, phi, rad."""
     one_of(SEQUENCES, sequence=sequence)
     single = matrix_from_axis_angle(_own_axes(sequence), numbers(3, angles=angles))
     return np.stack([single[0], single[0] @ single[1], single[0] @ single[1] @ single[2]])
 
 
 def angular_velocity(angles: ArrayLike, rates: ArrayLike, sequence: str) -> Array:
-    """(3,) rad/s in space, of angles (3,), rad, that change at these rates (3,), rad/s."""
+    """Return omega in space, (3,) rad/s, of angles (3,), rad, that change at these rates (3,), rad/s."""
     return _ring_axes(angles, sequence) @ numbers(3, rates=rates)
 
 
 def euler_rates(angles: ArrayLike, omega: ArrayLike, sequence: str) -> Array:
-    """(3,) rad/s of psi, theta, phi; angles (3,), rad, and omega (3,), rad/s in space. ValueError in gimbal lock."""
+    """Return (3,) rates of psi, theta, phi, rad/s, from angles (3,), rad, and omega (3,), rad/s in space.
+
+    Raise ValueError in gimbal lock.
+    """
     turning, axes = numbers(3, omega=omega), _ring_axes(angles, sequence)
     if abs(np.linalg.det(axes)) < LOCK:
         theta = float(np.ravel(angles)[1])
@@ -45,18 +48,18 @@ def euler_rates(angles: ArrayLike, omega: ArrayLike, sequence: str) -> Array:
 
 
 def _own_axes(sequence: str) -> Array:
-    """(3, 3) the axes of the three turns, rows, each as the ring sees it that turns."""
+    """Return (3, 3) the axes of the three turns as rows, each in the frame of the ring that turns about it."""
     return np.eye(3)[[int(digit) - 1 for digit in sequence]]
 
 
 def _ring_axes(angles: ArrayLike, sequence: str) -> Array:
-    """(3, 3) the axes in space about which the three rings turn, columns."""
+    """Return (3, 3) the axes in space about which the three rings turn, as columns."""
     turned = rings(angles, sequence)
     return np.column_stack([R @ axis for R, axis in zip(turned, _own_axes(sequence), strict=True)])
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return a body that turns steadily past the lock; the rings turn as they must."""
+    """Return the scene of a body that turns steadily past the lock, with its rings."""
     sequence, miss = parameters["sequence"], parameters["miss"]
     one_of(SEQUENCES, sequence=sequence)
     positive(miss=miss)
@@ -87,7 +90,7 @@ def film(parameters: Parameters) -> Scene:
 
 
 def _gimbal(turned: Array, sequence: str) -> list[Shape]:
-    """Both rings and the disk, by the matrices (n, 3, 3, 3) after each turn."""
+    """Return both rings and the disk, by the matrices (n, 3, 3, 3) after each turn."""
     outer, middle, body = np.moveaxis(turned, 1, 0)
     first, second, third = _own_axes(sequence)
     aside = np.cross(third, second)

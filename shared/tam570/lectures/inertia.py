@@ -25,35 +25,35 @@ SECONDS = 12.0
 
 
 def inertia(points: ArrayLike, masses: Sequence[float]) -> Array:
-    """(3, 3) kg m^2 about the centre of mass, of particles at `points` (n, 3), m, of `masses` (n,), kg."""
+    """Return (3, 3) kg m^2 about the centre of mass, of particles at `points` (n, 3), m, of `masses` (n,), kg."""
     m = np.array(positives(masses=masses))
     r = array((len(m), 3), points=points)
     return _moments(m, r - m @ r / m.sum())
 
 
 def of_box(mass: float, size: Sequence[float]) -> Array:
-    """(3, 3) kg m^2 of a uniform box about its centre; its sides (3,), m, are along the axes."""
+    """Return (3, 3) kg m^2 of a uniform box about its centre; its sides (3,), m, are along the axes."""
     positive(mass=mass)
     squares = np.array(positives(3, size=size)) ** 2
     return np.diag(mass * (squares.sum() - squares) / 12)
 
 
 def of_disk(mass: float, radius: float) -> Array:
-    """(3, 3) kg m^2 of a uniform thin disk about its centre; its axle is z."""
+    """Return (3, 3) kg m^2 of a uniform thin disk about its centre; its axle is z."""
     positive(mass=mass, radius=radius)
     return mass * radius**2 / 4 * np.diag([1.0, 1.0, 2.0])
 
 
 def parallel_axis(I: ArrayLike, mass: float, arm: ArrayLike) -> Array:  # noqa: E741
-    """(3, 3) kg m^2 about a point at `arm` (3,), m, from the centre of mass, about which the body has I (3, 3)."""
+    """Return (3, 3) kg m^2 about a point at `arm` (3,), m, from the centre of mass; I (3, 3) is about the latter."""
     positive(mass=mass)
     return symmetric((3, 3), I=I) + _moments(np.array([mass]), numbers(3, arm=arm)[None])
 
 
 def principal(I: ArrayLike) -> tuple[Array, Array]:  # noqa: E741
-    """(moments, axes): (3,) kg m^2, ascending, and (3, 3) whose columns are the axes, right-handed.
+    """Return (moments, axes): (3,) kg m^2, ascending, and (3, 3) whose columns are the axes, right-handed.
 
-    ValueError if I is not that of a body: not symmetric, a moment negative or above the sum of the other two.
+    Raise ValueError if I is not that of a body: not symmetric, a moment negative or above the sum of the other two.
     """
     moments, axes = np.linalg.eigh(symmetric((3, 3), I=I))
     rounding = SYMMETRIC * abs(moments[2])
@@ -68,7 +68,7 @@ def _moments(m: Array, r: Array) -> Array:
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return an axis turns from one principal axis to the next; H goes with omega on these alone."""
+    """Return the scene of an axis that turns from one principal axis to the next; only on these H is along omega."""
     m = np.array(positives(masses=parameters["masses"]))
     matrix = inertia(parameters["points"], parameters["masses"])
     r = array((len(m), 3), points=parameters["points"])
@@ -96,7 +96,7 @@ def film(parameters: Parameters) -> Scene:
 
 
 def _round(times: Array, axes: Array) -> Array:
-    """(n, 3) unit vector that turns by a right angle in a third of the time, from each principal axis to the next."""
+    """Return (n, 3) a unit vector that turns from each principal axis to the next in a third of the time."""
     part = np.minimum((3 * times / times[-1]).astype(int), 2)
     angle = np.pi / 2 * (3 * times / times[-1] - part)
     first, last = axes.T[part], axes.T[(part + 1) % 3]

@@ -1,10 +1,10 @@
-"""24 Oct, 9 Nov: Hamilton's principle: a pendulum takes the path of least action, for a while.
+"""24 Oct, 9 Nov: Hamilton's principle: a pendulum takes the path of least action, at first.
 
-Angles from straight down, action per unit mass: the integral of l^2 th'^2/2 + g l cos(th), the potential energy
-counted from the hinge. On a path of n even times it becomes a sum, (difference)^2 l^2/(2 h) + h g l cos(th), half at
-both ends; what makes it least obeys the difference equation of Stoermer and Verlet, so it is off by h^2 (Marsden and
+Angles from straight down, action per unit mass: the integral of l^2 th'^2/2 + g l cos(th), with the potential energy
+from the hinge. On a path of n even times it becomes a sum of (difference)^2 l^2/(2 h) + h g l cos(th), where both ends
+count half. Its minimum obeys the difference equation of Stoermer and Verlet, with an error of order h^2 (Marsden and
 West, Discrete mechanics and variational integrators, Acta Numerica 2001). Its second variation -th'' - (g/l) cos(th)
-is positive for all neighbours only as long as no half period of a small swing has passed (Jacobi).
+is positive for all neighbours only until half a period of a small swing has passed (Jacobi).
 """
 
 from math import copysign, pi, sin, sqrt
@@ -17,17 +17,17 @@ from tam570.show.scene import Array
 from tam570.show.scenes import drawn_for, least_action
 
 EXAMPLE = {"a": 0.3, "b": 0.5, "duration": 2.6, "points": 241, "length": 10.0, "gravity": 9.81}  # rad, s, 1, m, m/s^2
-FINISHED = 1e-11  # rad, of a Newton step, after which the next would be rounding
-ROUNDING = 1e-15  # of the terms of a derivative: near half a period a step does not tell, so flat is the action
+FINISHED = 1e-11  # rad: a Newton step after which the next would be rounding
+ROUNDING = 1e-15  # of a derivative's terms; near half a period the action is too flat for a test of the step
 ITERATIONS = 500
-SOLVED = 1e-9  # rad, by which the angles of a motion that was solved for may be off
-MOTION = 0.05  # of the largest angular acceleration: what a path may miss it by and still count as a motion
+SOLVED = 1e-9  # rad: error of the angles of a motion that was solved for
+MOTION = 0.05  # of the largest angular acceleration: the error up to which a path counts as a motion
 
 
 def path(a: float, b: float, duration: float, *, points: int, length: float, gravity: float) -> Array:
-    """(points,) rad at even times from 0 to duration, s, from angle a to b: the action is a minimum among neighbours.
+    """Return (points,) angles, rad, at even times from 0 to duration, s, from a to b, of locally least action.
 
-    Newton's method by elimination, damped until the action shrinks. A bump of a thousandth breaks the symmetry.
+    Newton's method is damped until the action decreases. A bump of 0.001 rad in the first guess breaks the symmetry.
     """
     finite(a=a, b=b)
     whole_number(2, points=points)
@@ -47,14 +47,14 @@ def path(a: float, b: float, duration: float, *, points: int, length: float, gra
 
 
 def action(path: ArrayLike, duration: float, *, length: float, gravity: float) -> float:
-    """m^2/s, per unit mass, of angles (n,), rad, at even times over duration, s."""
+    """Return the action per unit mass, m^2/s, of angles (n,), rad, at even times over duration, s."""
     angles, h = _path(path, duration, length, gravity)
     kinetic = length**2 * np.sum(np.diff(angles) ** 2) / (2 * h)
     return float(kinetic + h * gravity * length * (np.cos(angles).sum() - (np.cos(angles[0]) + np.cos(angles[-1])) / 2))
 
 
 def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: float) -> bool:
-    """Return whether a path (n,), rad, is a motion and every neighbour between the same ends has more action."""
+    """Return whether a path (n,), rad, is a motion and every neighbour with the same ends has more action."""
     angles, h = _path(path, duration, length, gravity)
     if len(angles) == 2:
         return True
@@ -65,7 +65,7 @@ def is_minimum(path: ArrayLike, duration: float, *, length: float, gravity: floa
 
 
 def _path(path: ArrayLike, duration: float, length: float, gravity: float) -> tuple[Array, float]:
-    """Return the angles and the time between two of them; every argument checked."""
+    """Return the angles and the time between two of them; check every argument."""
     positive(duration=duration, length=length)
     finite(gravity=gravity)
     angles = numbers(path=path)
@@ -75,21 +75,21 @@ def _path(path: ArrayLike, duration: float, length: float, gravity: float) -> tu
 
 
 def _variations(angles: Array, h: float, length: float, gravity: float) -> tuple[Array, Array]:
-    """First derivatives of the action by the inner angles, and the diagonal of the second ones."""
+    """Return the first derivatives of the action by the inner angles, and the diagonal of the second ones."""
     inner, weight = angles[1:-1], h * gravity * length
     slope = -(length**2 / h) * np.diff(angles, 2) - weight * np.sin(inner)
     return slope, 2 * length**2 / h - weight * np.cos(inner)
 
 
 def _newton(angles: Array, h: float, length: float, gravity: float, damping: float) -> Array | None:
-    """Newton's step of the inner angles; None if the action, with the damping, is not convex here."""
+    """Return Newton's step of the inner angles; None if the action, with the damping, is not convex here."""
     slope, diagonal = _variations(angles, h, length, gravity)
     step, least = _eliminated(diagonal + damping, -(length**2) / h, -slope)
     return step if least > 0 else None
 
 
 def _eliminated(diagonal: Array, beside: float, rhs: Array) -> tuple[Array, float]:
-    """Return the solution of a symmetric system with equal numbers beside its diagonal, and the least pivot."""
+    """Solve a symmetric tridiagonal system with equal numbers beside its diagonal; also return the least pivot."""
     rows = [(1.0, 0.0)]
     for d, r, near in zip(diagonal.tolist(), rhs.tolist(), [0.0] + [beside] * len(rhs), strict=False):
         pivot, before = rows[-1]
@@ -101,7 +101,7 @@ def _eliminated(diagonal: Array, beside: float, rhs: Array) -> tuple[Array, floa
 
 
 def _descent(angles: Array, *, duration: float, length: float, gravity: float) -> Array:
-    """Return the step with the least damping that makes the action smaller."""
+    """Return the step with the least damping that decreases the action."""
     angles, h = _path(angles, duration, length, gravity)
     now = action(angles, duration, length=length, gravity=gravity)
     rounding = 1e-14 * (abs(now) + abs(gravity) * length * duration)
@@ -116,7 +116,7 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
 
 
 def swing(path: ArrayLike, duration: float, *, length: float, gravity: float) -> Array:
-    """(n,) rad: the motion nearest to the small swing between the same ends, whether its action is least or not."""
+    """Return (n,) rad, the motion nearest to the small swing between the same ends, of least action or not."""
     angles, h = _path(path, duration, length, gravity)
     nonnegative(gravity=gravity)
     w, times = sqrt(gravity / length), np.linspace(0.0, duration, len(angles))

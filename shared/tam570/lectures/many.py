@@ -3,9 +3,9 @@
 State: all positions, then all velocities, in space, of n particles. With G the centre of mass, T = m v_G^2/2 + the same
 sum with velocities seen from G (Koenig), and H about a point P = (r_G - r_P) x m v_G + H about G. The forces come in
 pairs. If they are opposite, they cancel in linear momentum balance; if they also act along the line between the two,
-in angular momentum balance; and then their power is what the pairs' tensions do as distances change. That they are
-opposite and central is an assumption on top of F = m a (Ruina's "rude" one; Goldstein, Classical Mechanics, section
-1.2, has both laws of action and reaction).
+in angular momentum balance, too, and their power is that of the pairs' tensions as distances change. That they are
+opposite and central is an assumption in addition to F = m a (Ruina's "rude" one; Goldstein, Classical Mechanics,
+section 1.2, has both laws of action and reaction).
 """
 
 from collections.abc import Sequence
@@ -20,20 +20,20 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, frame_times
 from tam570.values import Parameters
 
 EXAMPLE: Parameters = {"masses": (3.0, 1.0, 2.0)}  # kg
-TRIANGLE = ((0.2, -0.4), (1.4, -0.3), (0.7, 0.6))  # m, of the film's first particles; more stand on a circle
-STIFFNESS, LENGTH, PUSH, SPIN = 20.0, 1.0, (-0.15, 0.3), 1.5  # N/m, m, m/s, rad/s, of the film
+TRIANGLE = ((0.2, -0.4), (1.4, -0.3), (0.7, 0.6))  # m, of the scene's particles; if not 3, they are on a circle
+STIFFNESS, LENGTH, PUSH, SPIN = 20.0, 1.0, (-0.15, 0.3), 1.5  # N/m, m, m/s, rad/s, of the scene
 SECONDS = 6.0
 
 
 def kinetic(state: ArrayLike, *, masses: Sequence[float]) -> tuple[float, float]:
-    """(of the centre of mass, about it) kinetic energy, J; state (6 n,), masses (n,)."""
+    """Return (of the centre of mass, about it) kinetic energy, J; state (6 n,), masses (n,)."""
     m, _, v = _particles(state, masses)
     v_G = m @ v / m.sum()
     return float(m.sum() * v_G @ v_G / 2), float(m @ ((v - v_G) ** 2).sum(axis=1) / 2)
 
 
 def angular_momentum(state: ArrayLike, about: ArrayLike, *, masses: Sequence[float]) -> tuple[Array, Array]:
-    """(of the centre of mass, about it) (3,) kg m^2/s each; they add up to that about the point `about` (3,), m."""
+    """Return (of the centre of mass, about it), (3,) kg m^2/s each; the sum is that about the point `about` (3,), m."""
     m, r, v = _particles(state, masses)
     r_G, v_G = m @ r / m.sum(), m @ v / m.sum()
     orbital = np.cross(r_G - numbers(3, about=about), m.sum() * v_G)
@@ -41,7 +41,7 @@ def angular_momentum(state: ArrayLike, about: ArrayLike, *, masses: Sequence[flo
 
 
 def balances(state: ArrayLike, forces: ArrayLike, *, masses: Sequence[float]) -> tuple[Array, Array, float]:
-    """Return what the system's balances miss if it moves by F = m a of each particle and nothing acts from outside.
+    """Return residuals of the system's balances if each particle moves by F = m a and nothing acts from outside.
 
     state  : (6 n,)
     forces : (n, n, 3) N, [i, j] on particle i by particle j; the diagonal must be 0
@@ -63,21 +63,21 @@ def balances(state: ArrayLike, forces: ArrayLike, *, masses: Sequence[float]) ->
 
 
 def _particles(state: ArrayLike, masses: Sequence[float]) -> tuple[Array, Array, Array]:
-    """Masses (n,), positions and velocities (n, 3); every argument checked."""
+    """Return masses (n,), positions and velocities (n, 3); check every argument."""
     m = np.array(positives(masses=masses))
     r, v = numbers(6 * len(m), state=state).reshape(2, -1, 3)
     return m, r, v
 
 
 def _springs(r: Array) -> Array:
-    """(n, n, 3) N, of a spring between each two of the particles."""
+    """Return (n, n, 3) N, the forces of springs between all pairs of particles."""
     apart = r[:, None] - r
     distance = np.linalg.norm(apart, axis=2, keepdims=True) + np.eye(len(r))[..., None]
     return -STIFFNESS * (1 - LENGTH / distance) * apart
 
 
 def film(parameters: Parameters) -> Scene:
-    """Particles joined by springs are thrown; their centre of mass goes straight on."""
+    """Return the scene of particles, joined by springs and thrown, whose centre of mass goes straight on."""
     masses = positives(masses=parameters["masses"])
     n, m = len(masses), np.array(masses)
 

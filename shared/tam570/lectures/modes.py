@@ -19,7 +19,7 @@ SECONDS, SWING = 10.0, 0.22  # s, m
 
 
 def modes(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
-    """Squares of the frequencies (n,), rad^2/s^2, ascending, and shapes (n, n), columns with shape^T mass shape = 1.
+    """Return squared frequencies (n,), rad^2/s^2, ascending, and shapes (n, n), columns with shape^T mass shape = 1.
 
     mass, stiffness : (n, n), symmetric, mass positive definite
     """
@@ -36,7 +36,7 @@ def modes(mass: ArrayLike, stiffness: ArrayLike) -> tuple[Array, Array]:
 
 
 def chain(n: int, *, mass: float, stiffness: float) -> tuple[Array, Array]:
-    """M and K (n, n), kg and N/m, of n masses in a line, with a spring between neighbours and at each wall."""
+    """Return M and K (n, n), kg and N/m, of n masses in a line, with springs between neighbours and at both walls."""
     whole_number(1, n=n)
     positive(mass=mass, stiffness=stiffness)
     beside = np.eye(n, k=1)
@@ -44,27 +44,27 @@ def chain(n: int, *, mass: float, stiffness: float) -> tuple[Array, Array]:
 
 
 def pendulum(*, mass: float, length: float, gravity: float) -> tuple[Array, Array]:
-    """M and K (1, 1), kg m^2 and N m, of a pendulum that hangs; the coordinate is its angle."""
+    """Return M and K (1, 1), kg m^2 and N m, of a pendulum that hangs; the coordinate is its angle."""
     positive(mass=mass, length=length)
     finite(gravity=gravity)
     return np.array([[mass * length**2]]), np.array([[mass * gravity * length]])
 
 
 def inverted_pendulum(*, mass: float, length: float, gravity: float) -> tuple[Array, Array]:
-    """M and K (1, 1), kg m^2 and N m, of a pendulum that stands on its hinge."""
+    """Return M and K (1, 1), kg m^2 and N m, of an inverted pendulum."""
     M, K = pendulum(mass=mass, length=length, gravity=gravity)
     return M, -K
 
 
 def saddle(*, mass: float, curvature: float, gravity: float) -> tuple[Array, Array]:
-    """M and K (2, 2), kg and N/m, of a particle in the middle of z = curvature (x^2 - y^2)/2."""
+    """Return M and K (2, 2), kg and N/m, of a particle in the middle of z = curvature (x^2 - y^2)/2."""
     positive(mass=mass)
     finite(curvature=curvature, gravity=gravity)
     return mass * np.eye(2), mass * gravity * curvature * np.diag([1.0, -1.0])
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return each mode alone, and the first mass let go alone, which is all of them at once."""
+    """Return the scene of each mode alone, and of the first mass let go alone, which excites all modes."""
     times, (M, K) = frame_times(SECONDS), chain(**parameters)
     squares, shapes = modes(M, K)
     frequencies = np.sqrt(squares)
@@ -98,7 +98,7 @@ def film(parameters: Parameters) -> Scene:
 
 
 def _chain(q: Array, height: float, color: int, name: str) -> list[Shape]:
-    """Masses a metre apart, displaced by q (k, n), m, on a zigzag of springs from wall to wall."""
+    """Return masses a metre apart, displaced by q (k, n), m, with zigzag springs from wall to wall."""
     n = q.shape[1]
     x = np.column_stack([np.zeros(len(q)), q + np.arange(1, n + 1), np.full(len(q), n + 1.0)])
     line = np.stack([x, np.full(x.shape, height)], axis=-1)

@@ -1,8 +1,8 @@
 """31 Aug: A mass on a spring of zero rest length, in space.
 
-The origin is where the spring is held; there is no gravity. The force is -k r, so m r'' = -k r in each direction by
-itself, and r = r0 cos(w t) + (v0/w) sin(w t) with w = sqrt(k/m): an ellipse about the origin, once round in 2 pi/w
-whatever its size (Newton, Principia, book I, propositions 10 and 47). State r, v in space.
+The spring is held at the origin; there is no gravity. The force is -k r, so m r'' = -k r for each direction separately,
+and r = r0 cos(w t) + (v0/w) sin(w t) with w = sqrt(k/m): an ellipse about the origin, once round in 2 pi/w for every
+size (Newton, Principia, book I, propositions 10 and 47). State r, v in space.
 """
 
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ SECONDS = 10.0
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float) -> tuple[float, ...]:
-    """(6,) velocity, m/s, and acceleration -(k/m) r, m/s^2."""
+    """Return (6,) velocity, m/s, and acceleration -(k/m) r, m/s^2."""
     positive(mass=mass, stiffness=stiffness)
     sequence(6, state=state)
     x, y, z, vx, vy, vz = state
@@ -34,7 +34,7 @@ def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float) ->
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float) -> Array:
-    """(n, 6) states at the times t (n,), s, of the motion that has `state` at t[0]."""
+    """Return (n, 6) states at the times t (n,), s, of the motion that has `state` at t[0]."""
     positive(mass=mass, stiffness=stiffness)
     times, start = numbers(t=t), numbers(6, state=state)
     w = sqrt(stiffness / mass)  # rad/s
@@ -44,20 +44,20 @@ def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float) -> A
 
 
 def energy(state: ArrayLike, *, mass: float, stiffness: float) -> float:
-    """Kinetic energy and that of the spring, J."""
+    """Energy, J: kinetic, and that of the spring."""
     tensor = orbit_tensor(state, mass=mass, stiffness=stiffness)
     return float(tensor[:3].sum() / 2)
 
 
 def angular_momentum(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
-    """(3,) about the origin, kg m^2/s."""
+    """Angular momentum about the origin, (3,) kg m^2/s."""
     positive(mass=mass, stiffness=stiffness)
     r, v = numbers(6, state=state).reshape(2, 3)
     return mass * np.cross(r, v)
 
 
 def orbit_tensor(state: ArrayLike, *, mass: float, stiffness: float) -> Array:
-    """(6,) m v v + k r r, J: the parts xx, yy, zz, yz, zx, xy. It fixes the ellipse; its trace is twice the energy."""
+    """Tensor m v v + k r r, J: (6,) xx, yy, zz, yz, zx, xy. It defines the ellipse; its trace is twice the energy."""
     positive(mass=mass, stiffness=stiffness)
     r, v = numbers(6, state=state).reshape(2, 3)
     tensor = mass * np.outer(v, v) + stiffness * np.outer(r, r)
@@ -68,7 +68,7 @@ INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "orbit_ten
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the solved motion on the ellipse that is known before it begins."""
+    """Return the scene of the solved motion, on the ellipse that its start determines."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     shapes = _draw(states, parameters)
@@ -91,7 +91,7 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
 
 
 def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
-    """Draw the mass, and the ellipse on which its first state lies."""
+    """Draw the mass, and the ellipse of its first state."""
     mass, w = states[:, :3], np.sqrt(parameters["stiffness"] / parameters["mass"])
     return [
         Shape(

@@ -1,8 +1,8 @@
 """31 Aug: A planet that the sun attracts, and Newton's polygon of impulses.
 
-The sun is the origin of space. r'' = -gm r/|r|^3 with gm = G times the sun's mass. Bound orbits are ellipses about the
-sun as a focus; where the planet is on one follows from Kepler's equation E - e sin E = 2 pi (t - t_near)/period.
-Newton (Principia, book I, proposition 1) lets it move straight on for equal times, with an impulse towards the sun at
+The sun is the origin of space. r'' = -gm r/|r|^3 with gm = G times the sun's mass. Bound orbits are ellipses with the
+sun at a focus; Kepler's equation E - e sin E = 2 pi (t - t_near)/period gives the planet's place on one. Newton
+(Principia, book I, proposition 1) lets the planet move straight on for equal times, with an impulse towards the sun at
 the end of each: equal areas follow from the direction of the impulses alone.
 """
 
@@ -23,7 +23,7 @@ SECONDS = 14.0
 
 
 def rates(t: float, state: Sequence[float], *, gm: float) -> tuple[float, ...]:
-    """(6,) velocity, m/s, and acceleration, m/s^2."""
+    """Return (6,) velocity, m/s, and acceleration, m/s^2."""
     positive(gm=gm)
     sequence(6, state=state)
     x, y, z, vx, vy, vz = state
@@ -36,19 +36,19 @@ def rates(t: float, state: Sequence[float], *, gm: float) -> tuple[float, ...]:
 
 
 def energy(state: ArrayLike, *, gm: float) -> float:
-    """Of a planet of 1 kg, J; 0 far away and at rest."""
+    """Energy of a planet of 1 kg, J; 0 far away and at rest."""
     r, v = _halves(state, gm)
     return float(v @ v / 2 - gm / np.sqrt(r @ r))
 
 
 def angular_momentum(state: ArrayLike, *, gm: float) -> Array:
-    """(3,) of a planet of 1 kg about the sun, kg m^2/s."""
+    """Angular momentum of a planet of 1 kg about the sun, (3,) kg m^2/s."""
     r, v = _halves(state, gm)
     return np.cross(r, v)
 
 
 def laplace_runge_lenz(state: ArrayLike, *, gm: float) -> Array:
-    """(3,) v x (r x v)/gm - r/|r|: it points to where the planet is nearest, its length is the eccentricity."""
+    """Vector v x (r x v)/gm - r/|r|, (3,): it points to the perihelion, and its length is the eccentricity."""
     r, v = _halves(state, gm)
     return np.cross(v, np.cross(r, v)) / gm - r / np.linalg.norm(r)
 
@@ -57,7 +57,7 @@ INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum, "laplace_r
 
 
 def elements(state: ArrayLike, *, gm: float) -> dict[str, float]:
-    """semi_major_axis, m, eccentricity, and period, s; an unbound orbit has a period inf and an axis below zero."""
+    """Return semi_major_axis, m, eccentricity, and period, s; of an unbound orbit inf and an axis below zero or inf."""
     total = energy(state, gm=gm)
     axis = -gm / (2 * total) if total else inf
     period = 2 * pi * axis * sqrt(axis / gm) if total < 0 else inf
@@ -66,9 +66,9 @@ def elements(state: ArrayLike, *, gm: float) -> dict[str, float]:
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, gm: float) -> Array:
-    """(n, 6) states at the times t (n,), s, of the bound orbit that has `state` at t[0], by Kepler's equation.
+    """Return (n, 6) states at the times t (n,), s, of the bound orbit that has `state` at t[0], by Kepler's equation.
 
-    By the functions f and g of Gauss: r = f r0 + g v0. ValueError if the orbit is not bound, or falls into the sun.
+    By the functions f and g of Gauss, r = f r0 + g v0. Raise ValueError if the orbit is unbound or falls into the sun.
     """
     times, (r0, v0) = numbers(t=t), _halves(state, gm)
     orbit = elements(state, gm=gm)
@@ -87,7 +87,7 @@ def exact(t: ArrayLike, state: ArrayLike, *, gm: float) -> Array:
 
 
 def _eccentric_anomaly(mean: Array, e: float) -> Array:
-    """E of E - e sin E = mean, by Newton's method. From above the root it descends to it, for every e < 1."""
+    """Solve E - e sin E = mean for E by Newton's method, which descends to the root from above, for every e < 1."""
     turns = 2 * pi * np.round(mean / (2 * pi))
     sign, part = np.sign(mean - turns), np.abs(mean - turns)  # part is in [0, pi], where E - e sin E is convex
     E = np.minimum(part + e, pi)
@@ -100,7 +100,7 @@ def _eccentric_anomaly(mean: Array, e: float) -> Array:
 
 
 def _halves(state: ArrayLike, gm: float) -> Array:
-    """(2, 3) position and velocity."""
+    """Return (2, 3) position and velocity."""
     positive(gm=gm)
     halves: Array = numbers(6, state=state).reshape(2, 3)
     if halves.dtype != object and not halves[0].any():

@@ -21,11 +21,11 @@ STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}
 EXAMPLE = {"mass": 5.0, "drag": 0.01, "gravity": 9.81}  # kg, kg/m, m/s^2: a cannon ball
 START = (0.0, 0.0, 90.0, 90.0)
 SECONDS = 20.0
-SLIDER = (0.3, 1.0, 3.0, 10.0, 30.0)  # times the drag
+SLIDER = (0.3, 1.0, 3.0, 10.0, 30.0)  # factors on the drag
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, drag: float, gravity: float) -> tuple[float, ...]:
-    """(4,) velocity, m/s, and acceleration, m/s^2. Without drag (0) the path is a parabola."""
+    """Return (4,) velocity, m/s, and acceleration, m/s^2. Without drag (0) the path is a parabola."""
     _check(mass, drag, gravity)
     sequence(4, state=state)
     _, _, vx, vy = state
@@ -34,7 +34,7 @@ def rates(t: float, state: Sequence[float], *, mass: float, drag: float, gravity
 
 
 def terminal_speed(*, mass: float, drag: float, gravity: float) -> float:
-    """m/s, at which the drag carries the weight."""
+    """Return the speed, m/s, at which the drag equals the weight."""
     positive(mass=mass, drag=drag)
     nonnegative(gravity=gravity)
     return sqrt(mass * gravity / drag)
@@ -59,7 +59,7 @@ def _check(mass: float, drag: float, gravity: float) -> None:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return how a cannon ball flies: as the Middle Ages thought, as a parabola, as it does; for several drags."""
+    """Return the scene of a cannon ball: as the Middle Ages thought, on a parabola, and with drag, with a slider."""
     drag = parameters["drag"]
     drags = [share * drag for share in SLIDER] if drag else []
     return with_slider(lambda c: _one({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
@@ -95,13 +95,13 @@ def _draw(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
 
 
 def _energy(state: Numbers, *, mass: Numbers, gravity: Numbers, **parameters: Numbers) -> Numbers:
-    """J, from y = 0: what the drag takes from the ball is missing."""
+    """Return the energy, J, relative to rest at y = 0, which drag decreases."""
     _, y, vx, vy = state
     return mass * (gravity * y + (vx * vx + vy * vy) / 2)
 
 
 def _landed(path: Array) -> Array:
-    """(n, 2) the path, which ends where it comes back to the height of its start."""
+    """Return (n, 2) the path, which ends where it comes back to the height of its start."""
     below = np.flatnonzero(path[1:, 1] < path[0, 1]) + 1
     if path[1, 1] <= path[0, 1] or not len(below):
         return path
@@ -111,7 +111,7 @@ def _landed(path: Array) -> Array:
 
 
 def _out_then_down(times: Array, start: Sequence[float], real: Array, parameters: Mapping[str, float]) -> Array:
-    """(n, 2) straight on at the speed of the start as far as the real ball comes, then down at terminal speed."""
+    """Return (n, 2) a path straight on at the start's velocity as far as the real ball, then down at terminal speed."""
     x, y, vx, vy = start
     turn = abs((real[-1, 0] - x) / vx) if vx else 0.0
     out = np.minimum(times, turn)
@@ -127,7 +127,7 @@ def _flights(paths: Mapping[str, Array], colors: Mapping[str, int], *, labelled:
 
 
 def _shapes(paths: Mapping[str, Array], colors: Mapping[str, int]) -> list[Panel]:
-    """Return the paths, each as large as its range; no panel if one goes straight up."""
+    """Return a panel of the paths, each scaled by its range; none if one goes straight up."""
     ranges = {name: path[-1, 0] - path[0, 0] for name, path in paths.items()}
     if not all(ranges.values()):
         return []

@@ -1,9 +1,9 @@
 """12 Sept: Velocity and acceleration of points of a rigid body.
 
-A vector e that turns with a body changes at omega x e and keeps its length. So a point at the arm r from a point A of
-the body has v = v_A + omega x r and a = a_A + alpha x r + omega x (omega x r). A point that moves in the body, at v_rel
-and a_rel as seen from it, has two terms more: 2 omega x v_rel and a_rel, five in all (Ruina and Pratap, Introduction to
-Mechanics, on general planar motion). All vectors have components in space.
+A vector e that turns with a body has the rate omega x e and a constant length. So a point at the arm r from a point A
+of the body has v = v_A + omega x r and a = a_A + alpha x r + omega x (omega x r). A point that moves in the body, with
+v_rel and a_rel as seen from it, has two more terms: 2 omega x v_rel and a_rel, five in all (Ruina and Pratap,
+Introduction to Mechanics, on general planar motion). All vectors have components in space.
 """
 
 from collections.abc import Mapping
@@ -17,22 +17,22 @@ from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, arrow, fram
 
 EXAMPLE = {"length": 1.0, "spin": 1.6, "spin_rate": -0.5, "slide": 1.6}  # m, rad/s, rad/s^2, m/s
 TERMS = ("origin", "euler", "centripetal", "coriolis", "relative")
-SECONDS, SWAY = 4.0, 0.5  # s, m, of the film: A goes to and fro
+SECONDS, SWAY = 4.0, 0.5  # s, m, of the scene: duration, amplitude of A
 UP = np.array([0.0, 0.0, 1.0])
 
 
 def turning_vector(omega: ArrayLike, e: ArrayLike) -> Array:
-    """(3,) rate of a vector e (3,) that turns with a body at omega (3,), rad/s: omega x e."""
+    """Return (3,) the rate of a vector e (3,) that turns with a body at omega (3,), rad/s: omega x e."""
     return np.cross(numbers(3, omega=omega), numbers(3, e=e))
 
 
 def velocity(v_a: ArrayLike, omega: ArrayLike, arm: ArrayLike) -> Array:
-    """(3,) m/s, of the body's point at `arm` (3,), m, from its point A, which has v_a (3,), m/s; omega (3,), rad/s."""
+    """Return (3,) m/s, of the body's point at `arm` (3,), m, from A, which has v_a (3,), m/s; omega (3,), rad/s."""
     return numbers(3, v_a=v_a) + np.cross(numbers(3, omega=omega), numbers(3, arm=arm))
 
 
 def acceleration(a_a: ArrayLike, omega: ArrayLike, alpha: ArrayLike, arm: ArrayLike) -> Array:
-    """(3,) m/s^2, of the body's point at `arm` (3,), m, from A, which has a_a (3,); alpha (3,) is omega's rate."""
+    """Return (3,) m/s^2, of the body's point at `arm` (3,), m, from A, which has a_a (3,); alpha (3,) is omega'."""
     still = np.zeros(3)
     return sum(five_terms(a_a, omega, alpha, arm, still, still).values(), start=still)
 
@@ -60,14 +60,14 @@ def five_terms(
 
 
 def film(parameters: Mapping[str, float]) -> Scene:
-    """Return a bar whose end A goes to and fro, and a bead that slides out along it."""
+    """Return the scene of a bar whose end A goes to and fro, and of a bead that slides along it."""
     positive(length=parameters["length"])
     finite(**parameters)
     times = frame_times(SECONDS)
     length, slide = parameters["length"], parameters["slide"]
     angle = parameters["spin"] * times + parameters["spin_rate"] * times**2 / 2
     omega = np.outer(parameters["spin"] + parameters["spin_rate"] * times, UP)
-    rate = 2 * np.pi / SECONDS  # rad/s, of A's way
+    rate = 2 * np.pi / SECONDS  # rad/s, of A's motion
     A, v_a, a_a = (np.outer(wave, [SWAY, 0.0, 0.0]) for wave in _sway(times, rate))
     e = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle])
     out, speed, quicker = (0.4 * length * wave[:, None] for wave in _sway(times, slide / length))
@@ -97,7 +97,7 @@ def film(parameters: Mapping[str, float]) -> Scene:
 
 
 def _sway(times: Array, rate: float) -> tuple[Array, Array, Array]:
-    """sin(rate t), and its first and second derivative."""
+    """Return sin(rate t), and its first and second derivative."""
     return np.sin(rate * times), rate * np.cos(rate * times), -(rate**2) * np.sin(rate * times)
 
 
@@ -109,7 +109,7 @@ def _bar(A: Array, tip: Array) -> list[Shape]:
 
 
 def _polygon(bead: Array, parts: Mapping[str, Array], total: Array) -> list[Shape]:
-    """Draw each term from where the one before it ends."""
+    """Draw each term from the end of the term before it."""
     unit = 1.1 / float(np.linalg.norm(total, axis=1).max())  # s^2
     arrows, end = {}, bead
     for name, term in parts.items():

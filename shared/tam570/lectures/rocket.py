@@ -1,9 +1,9 @@
 """30 Nov: A rocket, and what d(m v)/dt = F makes of it.
 
-Momentum balance for the rocket and what it throws out in dt, downwards at `exhaust_speed` u from the rocket, gives m
-v' = u b - m g with m' = -b, b the `burn_rate`. So v + u ln m - g m/b stays while it burns (Meriam, Dynamics, section
-4-7). `wrong_rates` takes the rocket alone for a system and writes m v' + m' v = -m g: no thrust, and a push that
-depends on the observer's speed. The tank is empty at `empty_mass`; then the burning stops. Heights upwards.
+The momentum balance of the rocket and what it throws out in dt, downwards at `exhaust_speed` u from the rocket, gives m
+v' = u b - m g with m' = -b, b the `burn_rate`. So v + u ln m - g m/b is constant while it burns (Meriam, Dynamics,
+section 4-7). `wrong_rates` uses the rocket alone as the system, m v' + m' v = -m g: no thrust, and a push that depends
+on the observer's speed. The tank is empty at `empty_mass`; then the burning stops. Heights upwards.
 """
 
 from collections.abc import Mapping, Sequence
@@ -25,7 +25,7 @@ SECONDS = 18.0
 def rates(
     t: float, state: Sequence[float], *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> tuple[float, float, float]:
-    """Rates of height, m/s, speed, m/s^2, and mass, kg/s."""
+    """Return the rates of height, m/s, speed, m/s^2, and mass, kg/s."""
     _check(burn_rate, exhaust_speed, empty_mass, gravity)
     sequence(3, state=state)
     return _moving(state, exhaust_speed, burn_rate, empty_mass, gravity)
@@ -52,7 +52,7 @@ def _moving(
 def exact(
     t: ArrayLike, state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> Array:
-    """(n, 3) states at the times t (n,), s, of the motion that has `state` at t[0]; through the end of the burning."""
+    """Return (n, 3) states at the times t (n,), s, of the motion that has `state` at t[0], also after the burning."""
     times, (height, speed, mass) = numbers(t=t), numbers(3, state=state).tolist()
     _check(burn_rate, exhaust_speed, empty_mass, gravity)
     positive(**{"state: mass": mass})
@@ -70,7 +70,7 @@ def exact(
 def coasting_energy(
     state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> float:
-    """J/kg, v^2/2 + g h as it will be at the end of the burning, and is after it."""
+    """Energy v^2/2 + g h per mass, J/kg, at the end of the burning, after which it is constant."""
     _check(burn_rate, exhaust_speed, empty_mass, gravity)
     height, speed, mass = numbers(3, state=state).tolist()
     parameters = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}
@@ -89,7 +89,7 @@ def _check(burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: f
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """One start by both equations."""
+    """Return the scene of one start by both equations."""
     times = frame_times(seconds)
     correct, wrong = (solve(equations, times, start, parameters=parameters) for equations in (rates, wrong_rates))
     apart = 0.1 * float(np.ptp(np.concatenate([correct[:, 0], wrong[:, 0]])))

@@ -1,8 +1,8 @@
 """7 Sept: Two particles on a line with a rod between them, solved in two ways.
 
 Particle 2 is ahead of particle 1; forces F1 and F2 act along the line. The rod's tension T pulls 1 ahead and 2 back:
-m1 a1 = F1 + T, m2 a2 = F2 - T, and the rod's length stays, a1 = a2. One way takes these as three equations for a1, a2
-and T. The other adds the first two, so that T goes, and finds T = (m1 F2 - m2 F1)/(m1 + m2) afterwards.
+m1 a1 = F1 + T, m2 a2 = F2 - T, and the rod's length is constant, a1 = a2. One way solves these three equations for a1,
+a2 and T. The other adds the first two, which eliminates T, and finds T = (m1 F2 - m2 F1)/(m1 + m2) afterwards.
 """
 
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ SECONDS = 6.0  # of the scene
 
 
 def by_constraint(forces: Sequence[float], *, masses: Sequence[float]) -> tuple[float, float]:
-    """(acceleration, tension), m/s^2 and N, by three equations at once.
+    """Return (acceleration, tension), m/s^2 and N, from three equations at once.
 
     forces : (2,) N, along the line
     masses : (2,) kg; one of them may be 0
@@ -31,7 +31,7 @@ def by_constraint(forces: Sequence[float], *, masses: Sequence[float]) -> tuple[
 
 
 def by_elimination(forces: Sequence[float], *, masses: Sequence[float]) -> tuple[float, float]:
-    """(acceleration, tension), m/s^2 and N, by the sum of the equations in which the tension goes."""
+    """Return (acceleration, tension), m/s^2 and N, from the sum of the equations, in which the tension cancels."""
     (F1, F2), (m1, m2) = _checked(forces, masses)
     return (F1 + F2) / (m1 + m2), (m1 * F2 - m2 * F1) / (m1 + m2)
 
@@ -44,7 +44,7 @@ def _checked(forces: Sequence[float], masses: Sequence[float]) -> tuple[list[flo
 
 
 def film(parameters: Parameters) -> Scene:
-    """Return forces that swing to and fro, and the tension that both ways find at each moment."""
+    """Return the scene of forces that swing to and fro, with the tension by both ways."""
     times = frame_times(SECONDS)
     wave = np.cos(2 * np.pi * times / (SECONDS / 2))
     acceleration, tension = by_elimination(parameters["forces"], masses=parameters["masses"])

@@ -1,9 +1,9 @@
 """19, 21 Sept: Chaplygin's sleigh, a body on ice with one blade that cannot slip sideways.
 
-x, y of the blade, the heading from x, the speed u of the blade along it, the yaw rate om. G lies `offset` = a ahead of
-the blade, so its acceleration along the body is u' - a om^2, on which no force acts: u' = a om^2. About the blade the
-blade's force has no moment: (I + m a^2) om' + m a u om = 0. With k^2 = (I + m a^2)/m and the energy's speed
-V^2 = u^2 + k^2 om^2 it is solved by u = V tanh s, om = (V/k) sech s, s' = a V/k^2: at last the sleigh goes straight
+x, y of the blade, the heading from x, the speed u of the blade along it, the yaw rate om. G is `offset` = a ahead of
+the blade, so its acceleration along the body is u' - a om^2. No force acts in this direction: u' = a om^2. About the
+blade the blade's force has no moment: (I + m a^2) om' + m a u om = 0. With k^2 = (I + m a^2)/m and the energy's speed
+V^2 = u^2 + k^2 om^2 the solution is u = V tanh s, om = (V/k) sech s, s' = a V/k^2: in the end the sleigh goes straight
 with G in front, turned by pi k/a at most (Chaplygin, 1911; Neimark and Fufaev, Dynamics of Nonholonomic Systems).
 """
 
@@ -26,7 +26,7 @@ NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, inertia: float, offset: float) -> tuple[float, ...]:
-    """(5,) velocity of the blade, m/s, yaw rate, rad/s, and how speed and yaw rate change."""
+    """Return (5,) velocity of the blade, m/s, yaw rate, rad/s, and rates of speed, m/s^2, and yaw rate, rad/s^2."""
     square = gyration(mass, inertia, offset) ** 2
     sequence(5, state=state)
     _, _, heading, speed, yaw_rate = state
@@ -45,16 +45,16 @@ INVARIANTS = {"energy": energy}
 
 
 def straight_growth_rate(speed: float, *, mass: float, inertia: float, offset: float) -> float:
-    """1/s, of exp(rate t), by which a small yaw rate grows while the sleigh goes straight at `speed`."""
+    """Return the rate, 1/s, in exp(rate t), with which a small yaw rate grows in straight motion at `speed`."""
     finite(speed=speed)
     k = gyration(mass, inertia, offset)
     return -offset * speed / k**2
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, inertia: float, offset: float) -> Array:
-    """(n, 5) states at the times t (n,), s, of the motion that has `state` at t[0].
+    """Return (n, 5) states at the times t (n,), s, of the motion that has `state` at t[0].
 
-    Heading, speed and yaw rate are closed forms; the place is their integral, by Gauss's rule to rounding.
+    Heading, speed and yaw rate are closed forms; the position is their integral, by Gauss's rule to rounding.
     """
     k = gyration(mass, inertia, offset)
     times, start = numbers(t=t), numbers(5, state=state)
@@ -79,7 +79,7 @@ def _in_a_circle(since: Array, start: Array) -> Array:
 
 
 def _turned(since: Array, start: Array, k: float, offset: float) -> tuple[Array, Array, Array]:
-    """(n,) heading, speed, yaw rate. The heading is the difference of two gudermannians, by its half angle."""
+    """Return (n,) heading, speed, yaw rate. The heading is the difference of two gudermannians, by its half angle."""
     V, first = _shape(start, k)
     grown = offset * V / k**2 * since
     sign, size = np.sign(grown), np.abs(grown)
@@ -98,12 +98,12 @@ def _panels(since: Array, start: Array, k: float, offset: float) -> Array:
 
 
 def _shape(start: Array, k: float) -> tuple[float, float]:
-    """V, and s at the start."""
+    """Return V, and s at the start."""
     return hypot(start[3], k * start[4]), asinh(start[3] / (k * abs(start[4])))
 
 
 def gyration(mass: float, inertia: float, offset: float) -> float:
-    """k, m: the radius of gyration about the blade."""
+    """Return k, m, the radius of gyration about the blade."""
     positive(mass=mass, inertia=inertia)
     finite(offset=offset)
     return sqrt(inertia / mass + offset * offset)

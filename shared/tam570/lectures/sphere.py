@@ -4,7 +4,7 @@ A rotation vector is the axis times the angle. Draw the axes A of the first turn
 the great circle through them. Swing it about A by minus half of the first angle, and about B by half of the second: the
 two arcs meet at the axis C of the composed turn (Rodrigues, 1840; Hamilton, 1844). For two mirrors through A make the
 first turn and two through B the second, and the mirror AB that both share cancels. The law of cosines of the triangle
-gives half the angle: cos(c/2) = cos(a/2) cos(b/2) - sin(a/2) sin(b/2) A . B. The sum of the vectors is something else.
+gives half the angle: cos(c/2) = cos(a/2) cos(b/2) - sin(a/2) sin(b/2) A . B. The sum of the vectors is another turn.
 """
 
 from math import atan2, cos, hypot, pi, sin
@@ -23,7 +23,7 @@ SECONDS = 9.0  # of the scene
 
 
 def compose(first: ArrayLike, second: ArrayLike) -> Array:
-    """(3,) the rotation vector of the turn by `first` and then by `second`, its angle in [0, pi].
+    """Return (3,) the rotation vector of the turn by `first` and then by `second`, its angle in [0, pi].
 
     first, second : (3,) rotation vectors in space, rad, of any length
     """
@@ -33,22 +33,22 @@ def compose(first: ArrayLike, second: ArrayLike) -> Array:
     size = hypot(*sines)
     if size == 0.0:
         return np.zeros(3)
-    half = atan2(size, abs(cosine))  # of a turn the other way round where the cosine is negative
+    half = atan2(size, abs(cosine))  # if the cosine is negative, of the turn in the opposite direction
     return np.copysign(2.0 * half / size, cosine) * sines
 
 
 def _half(vector: Array) -> tuple[float, Array]:
-    """Cosine of half the angle, and its sine times the axis; hypot keeps what squares would lose of tiny ones."""
+    """Return the cosine of half the angle, and its sine times the axis; hypot does not underflow for tiny vectors."""
     angle = hypot(*vector)
     return cos(angle / 2), vector * (sin(angle / 2) / angle if angle else 0.5)
 
 
 def film(parameters: Parameters) -> Scene:
-    """Turn a mark twice; then, from the start, by the one turn that the triangle gives."""
+    """Return the scene of a mark that turns twice, then of one that makes the single turn from the triangle."""
     first, second = (numbers(3, **{name: parameters[name]}) for name in ("first", "second"))
     both = compose(first, second)
     times = frame_times(SECONDS)
-    u = np.clip(3 * times / SECONDS - np.arange(3)[:, None], 0.0, 1.0)[..., None]  # of each third
+    u = np.clip(3 * times / SECONDS - np.arange(3)[:, None], 0.0, 1.0)[..., None]  # progress in each third
     one_by_one = exp(u[1] * second) @ exp(u[0] * first)
     direct = exp(u[2] * both)
     corners = [_unit(vector) for vector in (first, second, both)]
@@ -80,16 +80,16 @@ def _unit(vector: Array) -> Array:
 
 
 def _arc(start: Array, end: Array) -> Array:
-    """(n, 3) the great circle from one point to another, the short way."""
+    """Return (n, 3) the shorter great circle from one point to another."""
     angle = atan2(hypot(*np.cross(start, end)), start @ end)
-    if min(angle, pi - angle) < 1e-6:  # one point, or no one way
+    if min(angle, pi - angle) < 1e-6:  # equal or opposite points
         return np.array([start, end])
     s = np.linspace(0.0, 1.0, 31)[:, None]
     return (np.sin((1 - s) * angle) * start + np.sin(s * angle) * end) / sin(angle)
 
 
 def _trail(rotations: Array, color: int, name: str) -> list[Shape]:
-    """Return a mark on the sphere, where it has been, and the triangle between it and two more points of the body."""
+    """Return a mark on the sphere with its trail, and the triangle between it and two more points of the body."""
     points = np.array([[0.85, -0.45, 0.27], [0.65, -0.55, 0.52], [0.92, -0.2, 0.33]])
     points = points / np.linalg.norm(points, axis=1)[:, None]
     turned = points @ np.swapaxes(rotations, 1, 2)

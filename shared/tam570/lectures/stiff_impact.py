@@ -1,12 +1,12 @@
 """28 Nov: A collision as the limit of a stiff spring, and what two contacts leave open.
 
-x is the height of a ball over a floor that yields as a spring: below 0 it pushes with -k x, above not at all; m v' =
--m g + push. Met at the speed v, the floor pushes for 2 (pi - atan(w v/g))/w, w = sqrt(k/m), and gives the impulse 2 m v
-+ m g times that. The stiffer, the shorter: the duration goes as 1/sqrt(k), weight does nothing in it, 2 m v is left.
-With two contacts there is no such limit. A rod that falls level on two springs leaves as their ratio has it, however
-stiff both are. If the rod is rigid only before and after (weak rigidity), the balances leave one number unknown; if it
-is rigid throughout, with springs at its contacts (strong rigidity), they leave none (Chatterjee and Ruina, Journal of
-Applied Mechanics 65, 1998).
+x is the height of a ball over a floor that yields like a spring: below 0 it pushes with -k x, above not at all; m v' =
+-m g + push. It pushes a ball that hits it at the speed v for 2 (pi - atan(w v/g))/w, w = sqrt(k/m), with the impulse
+2 m v + m g times this duration. A stiffer floor pushes for a shorter time, as 1/sqrt(k), until the weight's part is
+negligible and 2 m v is left. With two contacts there is no such limit: how a rod that falls level on two springs
+leaves them depends on their ratio, however stiff both are. If the rod is rigid only before and after (weak rigidity),
+the balances leave one number unknown; if it is rigid throughout, with springs at its contacts (strong rigidity), they
+leave none (Chatterjee and Ruina, Journal of Applied Mechanics 65, 1998).
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ SECONDS = 2.0
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, gravity: float) -> tuple[float, float]:
-    """(2,) v, m/s, and v', m/s^2."""
+    """Return (2,) v, m/s, and v', m/s^2."""
     _check(mass, stiffness, gravity)
     sequence(2, state=state)
     x, v = state
@@ -35,13 +35,13 @@ def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, gr
 
 
 def push(state: ArrayLike, *, mass: float, stiffness: float, gravity: float) -> float:
-    """N, of the floor on the ball."""
+    """Return the force of the floor on the ball, N."""
     _check(mass, stiffness, gravity)
     return stiffness * max(-float(numbers(2, state=state)[0]), 0.0)
 
 
 def energy(state: ArrayLike, *, mass: float, stiffness: float, gravity: float) -> float:
-    """J: of motion, of weight, from x = 0, and in the floor."""
+    """Energy, J: kinetic, potential from x = 0, and that of the floor."""
     _check(mass, stiffness, gravity)
     x, v = numbers(2, state=state).tolist()
     return float(mass * (v**2 / 2 + gravity * x) + stiffness * ((x - abs(x)) / 2) ** 2 / 2)
@@ -51,7 +51,7 @@ INVARIANTS = {"energy": energy}
 
 
 def rebound(stiffness: float, *, mass: float, speed: float, gravity: float) -> tuple[float, float]:
-    """(impulse, duration) N s and s, of the floor on a ball that meets it at `speed`, m/s, and leaves as fast."""
+    """Return (impulse, duration), N s and s, of the floor on a ball that hits it and leaves it at `speed`, m/s."""
     _check(mass, stiffness, gravity)
     positive(speed=speed)
     w = sqrt(stiffness / mass)
@@ -62,14 +62,12 @@ def rebound(stiffness: float, *, mass: float, speed: float, gravity: float) -> t
 def two_contacts(
     stiffnesses: Sequence[float], *, mass: float, inertia: float, arms: Sequence[float], speed: float
 ) -> tuple[Array, Array]:
-    """Return what a rod does that falls level on two springs at `speed`, m/s.
-
-    Its motion afterwards, and their impulses.
+    """Return the motion of a rod after it has fallen level on two springs at `speed`, m/s, and their impulses.
 
     stiffnesses : (2,) N/m; only their ratio matters
     inertia     : about the centre of mass G, kg m^2
     arms        : (2,) m, from G to the contacts along the rod, to the right positive
-    Returns (2,), the speed of G upwards, m/s, and the yaw rate, rad/s; and (2,) N s.
+    Returns (2,) the speed of G upwards, m/s, and the yaw rate, rad/s; and (2,) N s.
     """
     states = rod_states(stiffnesses, mass=mass, inertia=inertia, arms=arms, speed=speed)
     return states[-1, 2:4], states[-1, 4:]
@@ -78,10 +76,10 @@ def two_contacts(
 def rod_states(
     stiffnesses: Sequence[float], *, mass: float, inertia: float, arms: Sequence[float], speed: float
 ) -> Array:
-    """(n, 6) y, angle, their rates and the impulses so far, from the first touch until both contacts are left."""
+    """Return (n, 6) y, angle, their rates and the impulses so far, from the first touch until both contacts part."""
     positive(mass=mass, inertia=inertia, speed=speed)
     pair, (a, b) = positives(2, stiffnesses=stiffnesses), numbers(2, arms=arms).tolist()
-    stiff, other = (stiffness / max(pair) * mass for stiffness in pair)  # 1/s^2 is the unit of their ratio to the mass
+    stiff, other = (stiffness / max(pair) * mass for stiffness in pair)  # scaled: the larger over the mass is 1/s^2
 
     def falling(t: float, state: Sequence[float]) -> tuple[float, ...]:
         y, angle, up, turning, _, _ = state

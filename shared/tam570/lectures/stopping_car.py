@@ -27,12 +27,12 @@ ROUNDING = 1e-12
 def by_centre_of_mass(
     *, height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float, float]:
-    """(deceleration, front_load, rear_load), m/s^2, by momentum and the moment about G: three messy equations.
+    """Return (deceleration, front_load, rear_load), m/s^2, by momentum and the moment about G: three messy equations.
 
     height, front, rear : of G above the ground, behind the front axle, ahead of the rear one, m
     friction            : coefficient
     locked              : "front", "rear" or "both"
-    ValueError if an axle would lift.
+    Raise ValueError if an axle would lift.
     """
     mu_f, mu_r = _checked(height, front, rear, friction, gravity, locked)
     equations = [[1.0, -mu_f, -mu_r], [0.0, 1.0, 1.0], [-height, front, -rear]]
@@ -42,7 +42,7 @@ def by_centre_of_mass(
 def by_three_points(
     *, height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float, float]:
-    """Solve the same by moments about both contacts, and a point a wheelbase above G's height over the front one."""
+    """Return the same by moments about both contacts, and a point over the front one, a wheelbase higher than G."""
     mu_f, mu_r = _checked(height, front, rear, friction, gravity, locked)
     base = front + rear
     arm = height + base  # of the friction about the third point
@@ -53,9 +53,9 @@ def by_three_points(
 def by_one_point(
     *, height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float, float]:
-    """Return the same by the moment about where the forces of the ground meet; then the loads about the contacts.
+    """Return the same by the moment about the point where the forces of the ground meet; then loads about the contacts.
 
-    The force at a locked wheel leans back by its friction; it meets the free wheel's, which is upright, a height of
+    The force at a locked wheel leans back by its friction. It meets the free wheel's vertical force at a height of
     (front + rear)/friction above the ground if the front is locked, and as far below if the rear is. With both locked
     the two are parallel: the moment about a point at infinity is the force across them.
     """
@@ -71,7 +71,7 @@ def by_one_point(
 def _checked(
     height: float, front: float, rear: float, friction: float, gravity: float, locked: str
 ) -> tuple[float, float]:
-    """Return the coefficients of the front and the rear wheels."""
+    """Return the friction coefficients of the front and the rear wheels; check every argument."""
     nonnegative(height=height, front=front, rear=rear, friction=friction)
     positive(**{"gravity": gravity, "front and rear, together": front + rear})
     one_of(LOCKED, locked=locked)
@@ -87,7 +87,7 @@ def _solved(equations: list[list[float]], rhs: list[float]) -> tuple[float, floa
 
 
 def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> tuple[float, float, float]:
-    """Return the same; a load of 0 is not a rounding below it."""
+    """Return the same, with 0 for a load that rounding makes negative."""
     return deceleration, max(front_load, 0.0), max(rear_load, 0.0)
 
 

@@ -26,7 +26,7 @@ SECONDS = 10.0
 
 
 def rates(t: float, state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, ...]:
-    """(4,) rates of r, th, vr, om."""
+    """Return (4,) rates of r, th, vr, om."""
     pair, (r, _, vr, om) = _checked(state, masses, gravity)
     try:
         return vr, om, *_accelerations(r, vr, om, pair, gravity)
@@ -35,7 +35,7 @@ def rates(t: float, state: Sequence[float], *, masses: Sequence[float], gravity:
 
 
 def by_newton(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[tuple[float, float], float]:
-    """Accelerations r'', m/s^2, and th'', rad/s^2, and the tension, N, from three balances solved together."""
+    """Return accelerations r'', m/s^2, and th'', rad/s^2, and the tension, N, from three balances solved together."""
     (m1, m2), (r, _, vr, om) = _on_the_table(state, masses, gravity)
     balances = np.array([[m1, 0.0, 1.0], [0.0, m1 * r, 0.0], [m2, 0.0, -1.0]])
     r_rate, th_rate, tension = np.linalg.solve(balances, [m1 * r * om**2, -2 * m1 * vr * om, -m2 * gravity]).tolist()
@@ -43,7 +43,7 @@ def by_newton(state: Sequence[float], *, masses: Sequence[float], gravity: float
 
 
 def by_lagrange(state: Sequence[float], *, masses: Sequence[float], gravity: float) -> tuple[float, float]:
-    """Accelerations r'', m/s^2, and th'', rad/s^2: each equation has its own."""
+    """Return accelerations r'', m/s^2, and th'', rad/s^2: each equation has only one of them."""
     pair, (r, _, vr, om) = _on_the_table(state, masses, gravity)
     return _accelerations(r, vr, om, pair, gravity)
 
@@ -54,13 +54,13 @@ def _accelerations(r: float, vr: float, om: float, pair: Sequence[float], gravit
 
 
 def energy(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
-    """J, the hanging mass's potential energy from where r = 0."""
+    """Energy, J; the potential energy of the hanging mass is 0 for r = 0."""
     (m1, m2), (r, _, vr, om) = _checked(numbers(4, state=state).tolist(), masses, gravity)
     return (m1 + m2) * vr**2 / 2 + m1 * (r * om) ** 2 / 2 + m2 * gravity * r
 
 
 def angular_momentum(state: ArrayLike, *, masses: Sequence[float], gravity: float) -> float:
-    """About the hole, kg m^2/s."""
+    """Angular momentum about the hole, kg m^2/s."""
     (m1, _), (r, _, _, om) = _on_the_table(numbers(4, state=state).tolist(), masses, gravity)
     return m1 * r**2 * om
 
@@ -87,7 +87,7 @@ def _on_the_table(
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the table from above and aside, the hanging mass below."""
+    """Return the scene of the table, and of the mass that hangs below it."""
     positive(**{"start.r": start[0]})
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)

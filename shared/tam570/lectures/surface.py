@@ -2,7 +2,7 @@
 
 The surface is z = h(x, y); the constraint force N does no work in any displacement along it, (1, 0, hx) or (0, 1, hy),
 so N = lam (-hx, -hy, 1). With m a = N - m g k and z'' = hx x'' + hy y'' + q, q = hxx vx^2 + 2 hxy vx vy + hyy vy^2:
-lam = m (g + q)/(1 + hx^2 + hy^2). The particle cannot leave the surface upwards either, as a bead on it could not.
+lam = m (g + q)/(1 + hx^2 + hy^2). The particle cannot leave the surface upwards either: it is like a bead on a wire.
 """
 
 from collections.abc import Sequence
@@ -27,19 +27,19 @@ SIGNS = {"bowl": (1.0, 1.0), "saddle": (1.0, -1.0), "plane": (0.0, 0.0)}  # of z
 def rates(
     t: float, state: Sequence[float], *, mass: float, gravity: float, surface: str, curvature: float
 ) -> tuple[float, ...]:
-    """(4,) velocity, m/s, and acceleration, m/s^2, of x and y."""
+    """Return (4,) velocity, m/s, and acceleration, m/s^2, of x and y."""
     lam, hx, hy = _normal(state, mass, gravity, surface, curvature)
     return state[2], state[3], -lam * hx / mass, -lam * hy / mass
 
 
 def constraint_force(state: ArrayLike, *, mass: float, gravity: float, surface: str, curvature: float) -> Array:
-    """(3,) N, of the surface on the particle, in space, z up."""
+    """Return (3,) N, the force of the surface on the particle, in space, z up."""
     lam, hx, hy = _normal(numbers(4, state=state).tolist(), mass, gravity, surface, curvature)
     return np.array([-lam * hx, -lam * hy, lam])
 
 
 def energy(state: ArrayLike, *, mass: float, gravity: float, surface: str, curvature: float) -> float:
-    """J, from the height of the origin."""
+    """Energy, J; the potential energy is 0 at the height of the origin."""
     x, y, vx, vy = numbers(4, state=state).tolist()
     _, hx, hy = _normal((x, y, vx, vy), mass, gravity, surface, curvature)
     square = vx**2 + vy**2 + (hx * vx + hy * vy) ** 2
@@ -50,7 +50,7 @@ INVARIANTS = {"energy": energy}
 
 
 def height(x: Numbers, y: Numbers, *, surface: str, curvature: float) -> Numbers:
-    """m, z of the surface at x and y, m: floats or arrays."""
+    """Return z of the surface, m, at x and y, m: floats or arrays."""
     one_of(SIGNS, surface=surface)
     finite(curvature=curvature)
     sx, sy = SIGNS[surface]
@@ -60,7 +60,7 @@ def height(x: Numbers, y: Numbers, *, surface: str, curvature: float) -> Numbers
 def _normal(
     state: Sequence[float], mass: float, gravity: float, surface: str, curvature: float
 ) -> tuple[float, float, float]:
-    """lam, N, and the slopes hx, hy; every argument checked."""
+    """Return lam, N, and the slopes hx, hy; check every argument."""
     positive(mass=mass)
     finite(gravity=gravity, curvature=curvature)
     one_of(SIGNS, surface=surface)
@@ -73,7 +73,7 @@ def _normal(
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the same start on all three surfaces, the chosen one first."""
+    """Return the scene of the same start on all three surfaces, the chosen one first."""
     one_of(SIGNS, surface=parameters["surface"])
     times = frame_times(seconds)
     names = sorted(SIGNS, key=lambda name: name != parameters["surface"])

@@ -28,7 +28,7 @@ SECONDS = 10.0
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, length: float, gravity: float) -> tuple[float, ...]:
-    """(2,) om, rad/s, and om', rad/s^2."""
+    """Return (2,) om, rad/s, and om', rad/s^2."""
     positive(mass=mass, length=length, gravity=gravity)
     sequence(2, state=state)
     th, om = state
@@ -36,14 +36,14 @@ def rates(t: float, state: Sequence[float], *, mass: float, length: float, gravi
 
 
 def hinge_force(state: Sequence[float], *, mass: float, length: float, gravity: float) -> tuple[float, float]:
-    """(along, across) what the hinge does to the bar, N: along from G to the hinge, across towards growing th."""
+    """Return (along, across), N, the hinge's force on the bar: along from G to the hinge, across towards growing th."""
     positive(mass=mass, length=length, gravity=gravity)
     th, om = map(float, numbers(2, state=state))
     return mass * (om * om * length / 2 + gravity * cos(th)), mass * gravity / 4 * sin(th)
 
 
 def energy(state: Sequence[float], *, mass: float, length: float, gravity: float) -> float:
-    """J, from hanging straight down at rest."""
+    """Energy, J; 0 when the bar hangs straight down at rest."""
     positive(mass=mass, length=length, gravity=gravity)
     th, om = map(float, numbers(2, state=state))
     return mass * length * (length * om * om / 6 + gravity * sin(th / 2) ** 2)
@@ -53,9 +53,9 @@ INVARIANTS = {"energy": energy}
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, length: float, gravity: float) -> Array:
-    """(n, 2) states at the times t (n,), s, of the bar that is let go at rest: `state` is (th0, 0) at t[0].
+    """Return (n, 2) states at the times t (n,), s, of the bar let go at rest: `state` is (th0, 0) at t[0].
 
-    ValueError for a start that moves.
+    Raise ValueError for a start that moves.
     """
     positive(mass=mass, length=length, gravity=gravity)
     times, (th, om) = numbers(t=t), numbers(2, state=state)
@@ -65,15 +65,15 @@ def exact(t: ArrayLike, state: ArrayLike, *, mass: float, length: float, gravity
     modulus, other = sin((th - turns) / 2), cos((th - turns) / 2)
     w = sqrt(1.5 * gravity / length)  # rad/s
     sn, cn = _jacobi(w * (times - times[:1]), modulus, other)
-    dn = np.hypot(other, modulus * cn)  # of sqrt(1 - modulus^2 sn^2) less would be left near the top
+    dn = np.hypot(other, modulus * cn)  # sqrt(1 - modulus^2 sn^2) would lose digits near the top
     angle = 2 * np.arctan2(modulus * cn, np.full_like(cn, other))
     return np.column_stack([turns + angle, -2 * modulus * other * w * sn / dn])
 
 
 def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
-    """sn and cn by the arithmetic-geometric mean (Abramowitz and Stegun 16.4), `other` = sqrt(1 - modulus^2).
+    """Return sn and cn by the arithmetic-geometric mean (Abramowitz and Stegun 16.4), `other` = sqrt(1 - modulus^2).
 
-    SciPy's take the square of the modulus, of which nothing is left near 1, where the bar starts near the top.
+    SciPy's function takes the square of the modulus, which loses too many digits for a bar that starts near the top.
     """
     means, gaps, b = [1.0], [abs(modulus)], other
     while gaps[-1] > 1e-8 * means[-1]:  # the next would be a quarter of its square
@@ -88,7 +88,7 @@ def _jacobi(u: Array, modulus: float, other: float) -> tuple[Array, Array]:
 
 
 def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
-    """Return the bar and the force of its hinge."""
+    """Return the scene of the bar and the force of its hinge."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
     length = parameters["length"]

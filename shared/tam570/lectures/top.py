@@ -26,7 +26,7 @@ LEVEL = 1e-15  # |cos(tilt)| of pi/2 rounded
 def rates(
     t: float, state: Sequence[float], *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> tuple[float, ...]:
-    """(6,) rates of the angles, rad/s, and their accelerations, rad/s^2; nan where theta is 0."""
+    """Return (6,) rates of the angles, rad/s, and their accelerations, rad/s^2; nan where theta is 0."""
     weight = _weight(mass, distance, axial, transverse, gravity)
     sequence(6, state=state)
     _, theta, _, W, nod, s = state
@@ -34,14 +34,14 @@ def rates(
         sine, cosine = sin(theta), cos(theta)
         gyro = axial * (s + W * cosine)
         turn = nod * (gyro - 2 * transverse * W * cosine) / (transverse * sine)
-    except (ValueError, ZeroDivisionError):  # psi and phi turn about one line, or a trial step was infinite
+    except (ValueError, ZeroDivisionError):  # psi and phi turn about the same line, or a trial step was infinite
         return W, nod, s, nan, nan, nan
     dip = sine * ((transverse * W * cosine - gyro) * W + weight) / transverse
     return W, nod, s, turn, dip, W * nod * sine - turn * cosine
 
 
 def energy(state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float) -> float:
-    """J, from the height of the tip."""
+    """Energy, J; the potential energy is 0 at the height of the tip."""
     weight = _weight(mass, distance, axial, transverse, gravity)
     _, theta, _, W, nod, s = numbers(6, state=state)
     across, along = nod**2 + (W * sin(theta)) ** 2, s + W * cos(theta)
@@ -51,7 +51,7 @@ def energy(state: ArrayLike, *, mass: float, distance: float, axial: float, tran
 def axial_momentum(
     state: ArrayLike, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> float:
-    """Angular momentum about the top's own axis, kg m^2/s."""
+    """Angular momentum about the top's axis, kg m^2/s."""
     _weight(mass, distance, axial, transverse, gravity)
     _, theta, _, W, _, s = numbers(6, state=state)
     return float(axial * (s + W * cos(theta)))
@@ -72,9 +72,9 @@ INVARIANTS = {"energy": energy, "axial_momentum": axial_momentum, "vertical_mome
 def steady_precession(
     tilt: float, spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> tuple[float, float]:
-    """(slow, fast) rad/s round the vertical at a tilt, rad, and a spin along the axis, rad/s; level, fast is infinite.
+    """Return (slow, fast) rates round the vertical, rad/s, at a tilt, rad, and a spin along the axis, rad/s.
 
-    ValueError if there is no steady precession: the spin is too small for an axis above the level.
+    With a level axis, fast is infinite. Raise ValueError if the spin is too small for steady precession.
     """
     weight = _weight(mass, distance, axial, transverse, gravity)
     finite(tilt=tilt, spin=spin)
@@ -89,7 +89,7 @@ def steady_precession(
 def classic_precession(
     spin: float, *, mass: float, distance: float, axial: float, transverse: float, gravity: float
 ) -> float:
-    """rad/s, as if the angular momentum lay along the axis: m g d/(axial spin)."""
+    """Return the precession, rad/s, as if the angular momentum were along the axis: m g d/(axial spin)."""
     weight = _weight(mass, distance, axial, transverse, gravity)
     finite(spin=spin)
     if spin == 0:
@@ -105,7 +105,7 @@ def sleeps(spin: float, *, mass: float, distance: float, axial: float, transvers
 
 
 def _weight(mass: float, distance: float, axial: float, transverse: float, gravity: float) -> float:
-    """m g d, N m; every parameter checked."""
+    """Return m g d, N m; check every parameter."""
     positive(mass=mass, distance=distance, axial=axial, transverse=transverse)
     finite(gravity=gravity)
     return mass * gravity * distance

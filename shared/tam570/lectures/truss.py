@@ -1,9 +1,9 @@
 """12 Sept: A rigid body as particles that stiff bars join, the way that nobody uses.
 
-In the plane; positions, then velocities. Each bar is a spring of its own rest length: its tension k (length - rest)
-pulls its two ends together. Nothing else acts, so momentum, angular momentum and energy stay. The stiffer the bars, the
-closer the motion to that of the rigid body, whose centre of mass moves uniformly while it turns at H/I; the distance
-goes as 1/k, as the stretch does that bends the particles' paths.
+In the plane; positions, then velocities. Each bar is a spring with its rest length: its tension k (length - rest)
+pulls its two ends together. Nothing else acts, so momentum, angular momentum and energy are constant. The stiffer the
+bars, the closer the motion to that of the rigid body, whose centre of mass moves uniformly while it turns at H/I; the
+distance goes as 1/k, like the stretch that bends the particles' paths.
 """
 
 from collections.abc import Sequence
@@ -37,10 +37,10 @@ def rates(
     lengths: Sequence[float],
     stiffness: float,
 ) -> tuple[float, ...]:
-    """(4 n,) velocities x1, y1, ..., m/s, then accelerations, m/s^2.
+    """Return (4 n,) velocities x1, y1, ..., m/s, then accelerations, m/s^2.
 
     masses    : (n,) kg
-    bars      : (m, 2) numbers of the particles that each joins, from 0
+    bars      : (m, 2) indices of the two particles that each bar joins
     lengths   : (m,) m, without tension
     stiffness : of every bar, N/m
     """
@@ -52,7 +52,7 @@ def rates(
         x, y = state[2 * j] - state[2 * i], state[2 * j + 1] - state[2 * i + 1]
         try:
             pull = stiffness * (1.0 - rest / sqrt(x * x + y * y))  # N/m, tension over length
-        except ZeroDivisionError:  # both at one place, where a trial step may end
+        except ZeroDivisionError:  # both at the same place, where a trial step may end
             pull = nan
         for end, sign in ((i, pull), (j, -pull)):
             forces[2 * end] += sign * x
@@ -61,7 +61,7 @@ def rates(
 
 
 def energy(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> float:
-    """Of the particles and the bars, J."""
+    """Energy of the particles and the bars, J."""
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     i, j = np.transpose(bars)
     stretch = np.sqrt(((r[j] - r[i]) ** 2).sum(axis=1)) - lengths
@@ -69,13 +69,13 @@ def energy(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers
 
 
 def momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> Array:
-    """(2,) kg m/s."""
+    """Linear momentum, (2,) kg m/s."""
     m, _, v = _parts(state, masses, bars, lengths, stiffness)
     return m @ v
 
 
 def angular_momentum(state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float) -> float:
-    """About the origin, kg m^2/s."""
+    """Angular momentum about the origin, kg m^2/s."""
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     return float(m @ (r[:, 0] * v[:, 1] - r[:, 1] * v[:, 0]))
 
@@ -86,7 +86,7 @@ INVARIANTS = {"energy": energy, "momentum": momentum, "angular_momentum": angula
 def rigid(
     t: ArrayLike, state: ArrayLike, *, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float
 ) -> Array:
-    """States at the times t (m,), s, of the rigid body that has the places and momenta of `state` at t[0]: (m, 4 n)."""
+    """Return (m, 4 n) states at the times t (m,), s, of the rigid body with places and momenta of `state` at t[0]."""
     times = numbers(t=t)
     m, r, v = _parts(state, masses, bars, lengths, stiffness)
     centre, speed = m @ r / m.sum(), m @ v / m.sum()
@@ -115,7 +115,7 @@ def _checked(
 def _parts(
     state: ArrayLike, masses: Numbers, bars: Numbers, lengths: Numbers, stiffness: float
 ) -> tuple[Array, Array, Array]:
-    """(n,) masses, (n, 2) positions, (n, 2) velocities."""
+    """Return (n,) masses, (n, 2) positions, (n, 2) velocities."""
     m = np.array(_checked(masses, bars, lengths, stiffness)[0])
     r, v = numbers(4 * len(m), state=state).reshape(2, -1, 2)
     return m, r, v

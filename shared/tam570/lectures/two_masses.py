@@ -28,7 +28,7 @@ SECONDS = 8.0
 def rates(
     t: float, state: Sequence[float], *, masses: Sequence[float], stiffness: float, rest_length: float
 ) -> tuple[float, ...]:
-    """(4,) velocities, m/s, and accelerations, m/s^2."""
+    """Return (4,) velocities, m/s, and accelerations, m/s^2."""
     m1, m2 = _checked(masses, stiffness, rest_length)
     sequence(4, state=state)
     x1, x2, v1, v2 = state
@@ -37,7 +37,7 @@ def rates(
 
 
 def tension(length: float, *, stiffness: float, rest_length: float) -> float:
-    """Force of the spring, N, positive when it pulls."""
+    """Return the force of the spring, N, positive when it pulls."""
     finite(length=length)
     positive(stiffness=stiffness)
     nonnegative(rest_length=rest_length)
@@ -45,12 +45,12 @@ def tension(length: float, *, stiffness: float, rest_length: float) -> float:
 
 
 def spring_energy(length: float, *, stiffness: float, rest_length: float) -> float:
-    """Work that stretches the spring from its rest length, J: the integral of the tension, a triangle's area."""
+    """Return the work, J, that stretches the spring from its rest length: the integral of the tension."""
     return tension(length, stiffness=stiffness, rest_length=rest_length) * (length - rest_length) / 2
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, masses: Sequence[float], stiffness: float, rest_length: float) -> Array:
-    """(n, 4) states at the times t (n,), s, of the motion that has `state` at t[0]."""
+    """Return (n, 4) states at the times t (n,), s, of the motion that has `state` at t[0]."""
     m1, m2 = _checked(masses, stiffness, rest_length)
     times = numbers(t=t)
     x1, x2, v1, v2 = numbers(4, state=state)
@@ -67,7 +67,7 @@ def exact(t: ArrayLike, state: ArrayLike, *, masses: Sequence[float], stiffness:
 
 
 def energy(state: Sequence[float], *, masses: Sequence[float], stiffness: float, rest_length: float) -> float:
-    """Of both masses and the spring, J."""
+    """Energy of both masses and the spring, J."""
     m1, m2 = _checked(masses, stiffness, rest_length)
     x1, x2, v1, v2 = map(float, numbers(4, state=state))
     spring = spring_energy(x2 - x1, stiffness=stiffness, rest_length=rest_length)
@@ -75,7 +75,7 @@ def energy(state: Sequence[float], *, masses: Sequence[float], stiffness: float,
 
 
 def momentum(state: Sequence[float], *, masses: Sequence[float], stiffness: float, rest_length: float) -> float:
-    """kg m/s."""
+    """Linear momentum, kg m/s."""
     m1, m2 = _checked(masses, stiffness, rest_length)
     _, _, v1, v2 = map(float, numbers(4, state=state))
     return m1 * v1 + m2 * v2
@@ -91,7 +91,7 @@ def _checked(masses: Sequence[float], stiffness: float, rest_length: float) -> t
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """Return the masses and their centre of mass, which nothing disturbs."""
+    """Return the scene of the masses and of their centre of mass, which moves uniformly."""
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters)
     ends = np.array([states[:, :2].min() - 0.3, states[:, :2].max() + 0.3])
@@ -112,7 +112,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
 
 
 def _places(states: Array, parameters: Parameters) -> tuple[Array, Array, Array]:
-    """(n,) m, of both masses and of their centre of mass."""
+    """Return (n,) m, the positions of both masses and of their centre of mass."""
     (m1, m2), (x1, x2) = parameters["masses"], states[:, :2].T
     return x1, x2, (m1 * x1 + m2 * x2) / (m1 + m2)
 

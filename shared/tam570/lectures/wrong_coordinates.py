@@ -1,10 +1,10 @@
-"""16 Nov: The coordinates that are none: q = the integral of omega, for each component in the body.
+"""16 Nov: Coordinates that do not exist: q = the integral of omega, for each component in the body.
 
 Free body, L = (I1 w1^2 + I2 w2^2 + I3 w3^2)/2. If there were coordinates q with q' = w, no q would occur in L and
 Lagrange's equations would be I w' = 0. But rotations do not commute, so no function of the orientation has these
-rates, and what is right is Euler's I w' = -w x I w (Goldstein, Classical Mechanics, section 5.5). Both keep the energy
-and the size of H; the wrong one has H go round with the body. State R row by row, body to space, and omega along the
-body's principal axes.
+rates; the right equations are Euler's, I w' = -w x I w (Goldstein, Classical Mechanics, section 5.5). Both conserve the
+energy and the size of H; by the wrong ones H turns with the body. The state is R row by row, body to space, and omega
+along the body's principal axes.
 """
 
 from collections.abc import Sequence
@@ -27,7 +27,7 @@ SECONDS = 10.0
 
 
 def rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
-    """(12,) R' = R hat(omega), 1/s, row by row, and omega', rad/s^2, by Euler's equations."""
+    """Return (12,) R' = R hat(omega), 1/s, row by row, and omega', rad/s^2, by Euler's equations."""
     A, B, C = positives(3, inertia=inertia)
     sequence(12, state=state)
     p, q, r = state[9:12]
@@ -35,7 +35,7 @@ def rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tupl
 
 
 def wrong_rates(t: float, state: Sequence[float], *, inertia: Sequence[float]) -> tuple[float, ...]:
-    """(12,) the same R', and omega' = 0 by Lagrange's equations for coordinates that do not exist."""
+    """Return (12,) the same R', and omega' = 0 by Lagrange's equations for coordinates that do not exist."""
     positives(3, inertia=inertia)
     sequence(12, state=state)
     return *_turning(state), 0.0, 0.0, 0.0
@@ -48,7 +48,7 @@ def energy(state: ArrayLike, *, inertia: Sequence[float]) -> float:
 
 
 def angular_momentum(state: ArrayLike, *, inertia: Sequence[float]) -> Array:
-    """(3,) kg m^2/s, in space."""
+    """Angular momentum in space, (3,) kg m^2/s."""
     values = numbers(12, state=state)
     return values[:9].reshape(3, 3) @ (np.array(positives(3, inertia=inertia)) * values[9:])
 
@@ -57,14 +57,14 @@ INVARIANTS = {"energy": energy, "angular_momentum": angular_momentum}
 
 
 def _turning(state: Sequence[float]) -> list[float]:
-    """R' = R hat(omega), row by row."""
+    """Return R' = R hat(omega), row by row."""
     p, q, r = state[9:12]
     rows = [state[0:3], state[3:6], state[6:9]]
     return [rate for a, b, c in rows for rate in (b * r - c * q, c * p - a * r, a * q - b * p)]
 
 
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
-    """One start, by the right equations and by the wrong ones."""
+    """Return the scene of one start, by the right equations and by the wrong ones."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
     both = {
         name: solve(equations, times, start, parameters=parameters)
