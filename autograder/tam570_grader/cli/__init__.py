@@ -1,6 +1,7 @@
 """The instructor's command, `tam570-grader`."""
 
 import argparse
+import atexit
 import gc
 import importlib
 import os
@@ -8,7 +9,7 @@ import signal
 import sys
 from collections.abc import Callable, Mapping
 from functools import partial
-from typing import Any
+from typing import Any, NoReturn
 
 from tam570 import __version__
 from tam570.signals import end_as_by_ctrl_c
@@ -63,6 +64,13 @@ def main(argv: list[str] | None = None) -> int:
         close_early()
 
 
+def run() -> NoReturn:
+    """Run the command, and end without freeing each object: the system frees all at once."""
+    code = main()
+    atexit._run_exitfuncs()
+    os._exit(code)
+
+
 class _Command(argparse.ArgumentParser):
     """A command that imports its module and adds its options only when it is used, by `load`, as imports take time."""
 
@@ -114,4 +122,5 @@ def _complete(parser: argparse.ArgumentParser, commands: Mapping[str, _Command],
         if command.load:
             command.load()
     sys.stdout.write(f"{shtab.complete(parser, shell)}\n")  # not by `say`, which escapes tabs
+    sys.stdout.flush()
     return 0
