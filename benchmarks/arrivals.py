@@ -1,9 +1,9 @@
-"""How `tam570-grader watch` keeps up with a class.
+"""Measure how `tam570-grader watch` keeps up with a class.
 
     python benchmarks/arrivals.py [--submissions 500] [--seconds 60]
 
-So many students hand in during a minute, evenly, into a folder. Prints how many hand-ins were graded, twice, or out of
-order, and the longest wait. Writes results/arrivals.json.
+Students hand in at even intervals during a minute, into a folder. Prints how many submissions were graded, graded
+twice, or graded out of order, and the longest wait. Writes results/arrivals.json.
 """
 
 import argparse
@@ -23,14 +23,14 @@ TEXT = (COURSE / "solutions" / f"{SLUG}.py").read_text()
 
 
 def watch(source, out):
-    """Start to watch a folder."""
+    """Start a process that watches a folder."""
     command = [sys.executable, "-m", "tam570_grader", "watch", source, "--out", out, "--jobs", "2"]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "start_new_session": True}
     return subprocess.Popen([*map(str, command)], **quiet)
 
 
 def graded(out):
-    """The graded attempts in the journal, in their order."""
+    """Return the graded attempts in the journal, in their order."""
     path = out / "watch.jsonl"
     lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
     events = [json.loads(line) for line in lines if line.endswith(b"\n")]
@@ -38,7 +38,7 @@ def graded(out):
 
 
 def in_a_minute(root, count, seconds):
-    """So many students hand in, evenly."""
+    """Let `count` students hand in at even intervals while `watch` grades; return the measurements."""
     source, out = root / "submitted", root / "results"
     source.mkdir()
     process = watch(source, out)

@@ -1,11 +1,11 @@
-"""What a submission costs in `nbgrader autograde`: graded by our preprocessors, or run as a notebook by nbgrader's own.
+"""Measure the time of a submission in `nbgrader autograde`: with our preprocessors, and with nbgrader's own.
 
     python benchmarks/autograde.py [--submissions 20]
 
 The same class in the same course, with the same notebooks and modules: our preprocessors run the hidden checks on the
-module, nbgrader's own run each notebook with its visible tests. The class is all right, or has one endless loop in it;
-then our limit is 10 s a call, or 2 s, and nbgrader's 30 s a cell. Prints what one submission more costs, from classes
-of one and of all: start-up is in neither. Writes results/autograde.json.
+module, nbgrader's own run each notebook with its visible tests. All submissions are right, or one has an endless loop:
+then our limit is 10 s or 2 s a call, and nbgrader's 30 s a cell. Prints the time of one more submission, from classes
+of one and of N, without start-up. Writes results/autograde.json.
 """
 
 import argparse
@@ -30,7 +30,7 @@ def _for_ever(*args, **kwargs):
 
 globals()[__all__[0]] = _for_ever
 """
-WAYS = {  # and what the course's nbgrader_config.py says more
+WAYS = {  # by name, more lines of the course's nbgrader_config.py
     "our preprocessors": "",
     "our preprocessors, 2 s a call": "c.SandboxGrades.call = 2",
     "nbgrader's own, the same notebooks": "c.Autograde.autograde_preprocessors = "
@@ -42,7 +42,7 @@ RUNS += [("hw08_axis_angle", way, True) for way in WAYS]
 
 
 def prepare(folder, slug, way, hang, count):
-    """Our course with a class of so many, the last of them with an endless loop if asked for."""
+    """Make a course with a class of `count` submissions, the last of them with an endless loop if `hang`."""
     make_course(COURSE, folder, [slug])
     _nbgrader(folder, "generate_assignment", slug)
     class_of(slug, count, folder / "submitted")
@@ -58,7 +58,7 @@ def prepare(folder, slug, way, hang, count):
 
 
 def seconds(slug, way, hang, count):
-    """Of `nbgrader autograde` on a class of so many."""
+    """Return the wall time of `nbgrader autograde` on a class of `count` submissions, s."""
     with tempfile.TemporaryDirectory() as folder:
         prepare(Path(folder), slug, way, hang, count)
         started = time.perf_counter()

@@ -1,10 +1,10 @@
-"""Many motions at once: ten thousand starts of a system, compiled, beside heyoka's batches of eight.
+"""Compare `solve` for ten thousand starts of a system at once with heyoka's batches of eight.
 
     python benchmarks/ensembles.py                    public problems, three tolerances; writes results/ensembles.json
     python benchmarks/ensembles.py --members 1000
 
-Times are processor time, the two in turn and the median of the runs; what either compiles is at hand before. `apart`
-is the median distance of the two ends, of the state: it shows that both have followed the same motions.
+Times are processor times, the median of runs in turn, without compiling. `apart` is the median difference of the two
+end states, relative to the state: it shows that both have followed the same motions.
 """
 
 import argparse
@@ -20,13 +20,13 @@ from tqdm import tqdm
 OUTPUT = record.FOLDER / "ensembles.json"
 PROBLEMS = ("double pendulum, points", "Duffing", "heavy top", "Lorenz", "Euler's top", "figure eight")
 TOLERANCES = (1e-6, 1e-9, 1e-12)
-SPREAD = 0.05  # of the starts about the problem's own
+SPREAD = 0.05  # standard deviation of the starts about the problem's
 RUNS = 3
 SEED = 570
 
 
 def starts(scene, members):
-    """(members, n) starts about that of the problem."""
+    """Return (members, n) starts near that of the problem."""
     start = np.array(scene[1], dtype=float)
     return start + SPREAD * np.random.default_rng(SEED).normal(size=(members, len(start)))
 
@@ -38,7 +38,7 @@ def seconds(run):
 
 
 def compared(name, members, tolerance):
-    """A row of the table."""
+    """Return a row of the table."""
     scene = scenes.scene(name)
     many = starts(scene, members)
     ours, theirs = methods.ours_from(scene, many, tolerance), methods.heyoka_from(scene, many, tolerance)

@@ -1,7 +1,7 @@
-"""Error against tolerance on problems of the literature: how many times rtol, for the compiled and the Python engine.
+"""Measure error over rtol on problems of the literature, for the compiled and the Python engine.
 
-The error is the largest over twenty times of a run, relative to the largest magnitude of its component, beyond what the
-problem itself makes of a change of its start by rtol. Prints the table; --write keeps it in results/.
+The error is the largest at twenty times of a run, relative to the largest magnitude of its component, divided by the
+factor by which the problem amplifies a relative change of its start. Prints the table; --write keeps it in results/.
 
     python benchmarks/error_against_tolerance.py --write
 """
@@ -19,7 +19,7 @@ FINEST = 1e-15
 
 
 def errors(rhs, start, end, method):
-    """Largest error over rtol times the sensitivity of the problem, for each tolerance."""
+    """Return the largest error over rtol and the sensitivity of the problem, for each tolerance."""
     t = np.linspace(0, end, 21)
     exact = solve(rhs, t, start, rtol=FINEST)
     size = np.abs(exact).max(axis=0) + 1e-300

@@ -1,10 +1,10 @@
-"""How fast submissions are graded, and what of the time is the students' own; beside nbgrader where it is asked for.
+"""Measure how fast submissions are graded, and the students' share of the time; optionally compare with nbgrader.
 
     python benchmarks/grading.py                    60 submissions of each assignment, on all cores
     python benchmarks/grading.py --quick            20 of each
     python benchmarks/grading.py --peers nbgrader   the same functions and tests as a notebook, graded by nbgrader
-    python benchmarks/grading.py --cost             what one submission costs, and whom, one job, without a class
-    python benchmarks/grading.py --wrong            the same of the known mistakes, the most expensive first
+    python benchmarks/grading.py --cost             time of one submission, ours and the student's, with one job
+    python benchmarks/grading.py --wrong            the same for the known mistakes, the most expensive first
 
 Prints a table; --peers writes results/grading.json. Times of one run on one machine; compare them with each other.
 """
@@ -40,7 +40,7 @@ COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
 TOGETHER = 2e-3  # s, in which results of one chunk are read
 ENVIRONMENT = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # what everybody in a class hands in
+WORKS = {"stub": "assignments/{0}/{0}.py", "solution": "solutions/{0}.py"}  # the file that a class hands in
 
 
 def work(slug, work_name="solution"):
@@ -48,7 +48,7 @@ def work(slug, work_name="solution"):
 
 
 def class_of(slug, count, folder):
-    """A class that hands in the same work, with a number in it so that no two are alike."""
+    """Write a class of the same submission, with a number in each so that no two are equal; return the folder."""
     text = work(slug).read_text()
     for n in range(count):
         path = folder / f"s{n:03}" / slug / f"{slug}.py"
@@ -58,14 +58,14 @@ def class_of(slug, count, folder):
 
 
 class Counter:
-    """What crosses the boundary of the sandbox: round trips, replies, calls, simulations, time that we wait for it."""
+    """Counts what crosses the boundary of the sandbox (round trips, calls, simulations), and the time spent waiting."""
 
     def __init__(self):
         self.waited, self.count = 0.0, collections.Counter()
 
     @contextlib.contextmanager
     def watching(self):
-        """Counts what this process does in the block."""
+        """Count what this process does in the block."""
         with contextlib.ExitStack() as patches:
             for owner, name in WATCHED:
                 looking = _passing(getattr(self, f"_{name}"), getattr(owner, name))
@@ -102,7 +102,7 @@ WATCHED = (SandboxProcess, "send"), (SandboxProcess, "receive"), (Student, "repl
 
 
 def cost(slug, work_name, count):
-    """What a submission costs, the references at hand: the least of so many, in ms, and counts of one."""
+    """Return the cost of a submission with cached references: the least of `count` times, ms, and counts of one run."""
     source = Source(work(slug, work_name).read_bytes())
     conditions = WorkerConfig(ResourceLimits(), (COURSE,), tuple(imported(source.text)))  # as for a class
     task = GradeTask(COURSE, work_name, slug, 570, source, conditions=conditions)
@@ -113,13 +113,13 @@ def cost(slug, work_name, count):
         times = [_timed(task) for _ in range(count)]
     assert done.score == (done.max_score if work_name == "solution" else 0)
     wall, ours, waited = (1000 * min(column) for column in zip(*times, strict=True))
-    student = 1000 * counter.student  # its import too
+    student = 1000 * counter.student  # with its import
     times = {"wall": wall, "ours": ours, "waited": waited, "student": student}
     return {"assignment": slug, "work": work_name, **times, **counts}
 
 
 def wrong_costs(slug):
-    """For each known mistake ms of our processor and of the student's, the references at hand, and calls."""
+    """Yield for each known mistake ms of processor time, ours and the student's, with cached references; and calls."""
     conditions, solution = WorkerConfig(ResourceLimits(), (COURSE,)), work(slug).read_text()
     with sandboxes():
         for name, text in {"right": "", **overlays(assignments.checks_folder(COURSE, slug))}.items():
@@ -132,7 +132,7 @@ def wrong_costs(slug):
 
 
 def _timed(task):
-    """Seconds on the wall, of our processor, and of waiting for the sandbox, of one submission."""
+    """Return seconds of wall time, of our processor time, and of waiting for the sandbox, of one submission."""
     with Counter().watching() as counter:
         wall, ours = time.perf_counter(), time.thread_time()
         result(task)
@@ -140,7 +140,7 @@ def _timed(task):
 
 
 def graded(slug, count, jobs):
-    """Seconds from the command to its end, for a class; and of each in its second half, when all processes work."""
+    """Measure seconds of the command for a class, and per submission in its second half, when all processes work."""
     with tempfile.TemporaryDirectory() as folder:
         options = ["--seed", "570", "--jobs", str(jobs), "--json"]
         program = [sys.executable, "-m", "tam570_grader", "--root", COURSE, "grade"]
@@ -158,19 +158,19 @@ def graded(slug, count, jobs):
 
 
 def row_of(grader, slug, count, seconds):
-    """A row of the table."""
+    """Return a row of the table."""
     each = seconds / count
     return {"grader": grader, "assignment": slug, "submissions": count, "seconds": seconds, "seconds_each": each}
 
 
 def steady(arrivals):
-    """Seconds of each submission of the second half; those of a chunk arrive together."""
+    """Return seconds of each submission in the second half; those of a chunk arrive together."""
     half = arrivals[len(arrivals) // 2]
     return (arrivals[-1] - half) / (sum(arrival > half + TOGETHER for arrival in arrivals) or 1)
 
 
 def print_ratios(slug, runs, peers):
-    """How many times as fast several jobs are as one, and the most jobs as nbgrader, its start included."""
+    """Print how many times as fast several jobs are as one, and the most jobs as nbgrader, its start included."""
     for jobs, row in runs.items() if 1 in runs else ():
         if jobs > 1:
             faster, late = (runs[1][name] / row[name] for name in ("seconds", "steady_seconds_each"))
@@ -183,7 +183,7 @@ def print_ratios(slug, runs, peers):
 
 
 def one_file(slug):
-    """Seconds from the command to the result of one file, the best of five."""
+    """Measure seconds from the command to the result of one file, the best of five."""
     command = [sys.executable, "-m", "tam570_grader", "grade", str(work(slug)), "--assignment", slug]
     times = []
     for _ in range(5):
@@ -194,7 +194,7 @@ def one_file(slug):
 
 
 def nbgrader(slug, count):
-    """The same for nbgrader: the same work as a notebook with the visible tests in a locked cell."""
+    """Measure nbgrader on a class: the same work as a notebook with the visible tests in a locked cell."""
     with tempfile.TemporaryDirectory() as folder:
         course = Path(folder)
         (course / "nbgrader_config.py").write_text(
@@ -282,7 +282,7 @@ def main():
             print_row(row)
         print_ratios(slug, runs, peers)
         if options.peers and not options.quick:
-            record.write(OUTPUT, rows=rows)  # a run takes an hour
+            record.write(OUTPUT, rows=rows)  # each time, as a run takes an hour
 
 
 def print_row(row):

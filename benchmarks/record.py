@@ -1,4 +1,4 @@
-"""The table that a benchmark writes to results/: JSON with its machine, date and command, three digits a number."""
+"""Write a benchmark's tables to results/: JSON with machine, date and command, numbers of three digits."""
 
 import json
 import os

@@ -1,7 +1,7 @@
-"""Run time of every conversion against scipy.spatial.transform.Rotation, and the error of both.
+"""Compare run time and error of every conversion with scipy.spatial.transform.Rotation.
 
-Both run in turn in one process, the smallest time of each counts; ratios hold where times wander. SciPy's matrices
-are read as it reads them by default (made orthogonal); `assume_valid` leaves that and every check away.
+Both run in turn in one process, and the smallest time of each counts: ratios are reliable even if times vary. By
+default SciPy makes the matrices that it reads orthogonal; `assume_valid` omits that and every check.
 
     python benchmarks/rotations.py            batches of 1, 1e3 and 1e5; writes benchmarks/results/rotations.json
     python benchmarks/rotations.py --quick    1 and 1e3, a second
@@ -24,7 +24,7 @@ OUTPUT = record.FOLDER / "rotations.json"
 
 
 def inputs(count, seed=570):
-    """The same rotations in every form, one without a batch axis where count is 1."""
+    """Return the same rotations in every form, without a batch axis if count is 1."""
     rng = np.random.default_rng(seed)
     vector = rng.normal(size=(count, 3))
     angle = np.linalg.norm(vector, axis=1)
@@ -35,7 +35,7 @@ def inputs(count, seed=570):
         "axis": vector / angle[:, None],
         "matrix": rotation.as_matrix(),
         "quaternion": rotation.as_quat(scalar_first=True),
-        "scalar last": rotation.as_quat(),  # SciPy's own order
+        "scalar last": rotation.as_quat(),  # SciPy's order
         "313": _euler("ZXZ", rotation),
         "312": _euler("ZXY", rotation),
         "noisy": rotation.as_matrix() + 1e-3 * rng.normal(size=(count, 3, 3)),
@@ -45,12 +45,12 @@ def inputs(count, seed=570):
 
 def _euler(sequence, rotation):
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # SciPy warns next to gimbal lock
+        warnings.simplefilter("ignore")  # SciPy warns near gimbal lock
         return rotation.as_euler(sequence)
 
 
-TRUSTED = {"assume_valid": True}  # SciPy's way to leave its checks of a matrix away
-CONVERSIONS = {  # name -> (ours, SciPy's, which of a matrix also takes TRUSTED)
+TRUSTED = {"assume_valid": True}  # omits SciPy's checks of a matrix
+CONVERSIONS = {  # name -> (ours, SciPy's); from a matrix, SciPy's also takes TRUSTED
     "axis and angle to matrix": (
         lambda x: rotations.matrix_from_axis_angle(x["axis"], x["angle"]),
         lambda x: Rotation.from_rotvec(x["vector"]).as_matrix(),
@@ -103,7 +103,7 @@ CONVERSIONS = {  # name -> (ours, SciPy's, which of a matrix also takes TRUSTED)
 
 
 def smallest_times(functions, argument, repeats):
-    """The smallest time of each function, s, all of them in turn."""
+    """Return the smallest time of each function, s; they run in turn."""
     best = [np.inf] * len(functions)
     for _ in range(repeats):
         for i, function in enumerate(functions):
@@ -114,7 +114,7 @@ def smallest_times(functions, argument, repeats):
 
 
 def timings(counts):
-    """A row for each conversion and batch: ns an element and the ratio to SciPy."""
+    """Yield a row for each conversion and batch: ns per rotation, and the ratio to SciPy."""
     for count in counts:
         forms, repeats = inputs(count), 30 if count > 1000 else 300
         for name, (our_way, their_way) in CONVERSIONS.items():
@@ -131,7 +131,7 @@ def timings(counts):
 
 
 def rebuilt(R):
-    """Name, our round trip from the matrices R, SciPy's."""
+    """Yield name, our round trip from the matrices R, and SciPy's or None."""
     of_valid = Rotation.from_matrix(R, **TRUSTED)
     yield "axis and angle", rotations.matrix_from_axis_angle(*rotations.axis_angle_from_matrix(R)), None
     yield ("rotation vector", rotations.exp(rotations.log(R)), Rotation.from_rotvec(of_valid.as_rotvec()).as_matrix())
@@ -143,7 +143,7 @@ def rebuilt(R):
 
 
 def scenes(count, seed=571):
-    """Matrices anywhere, next to no turn, next to half a turn, and next to gimbal lock of 313 and 312."""
+    """Yield named sets of matrices: any, near no turn, near half a turn, and near gimbal lock of 313 and 312."""
     rng = np.random.default_rng(seed)
     axis, size = rng.normal(size=(count, 3)), 10.0 ** rng.uniform(-14, -3, count)
     first, last = rng.uniform(-np.pi, np.pi, (2, count))
@@ -155,7 +155,7 @@ def scenes(count, seed=571):
 
 
 def errors(count):
-    """A row for each scene and round trip: the largest error of a matrix entry, in eps."""
+    """Yield a row for each scene and round trip: the largest error of a matrix entry, in eps."""
     eps = np.finfo(float).eps
     for scene, R in scenes(count):
         for name, ours, scipys in rebuilt(R):

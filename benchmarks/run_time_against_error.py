@@ -1,9 +1,9 @@
-"""Run time against error: every method and every peer installed, on the assignments' scenes and on other problems.
+"""Measure run time against error of every method and installed peer, on the assignments' scenes and other problems.
 
-The error is that of the state at the end, its largest component over the largest of the state, against a reference
-to 30 digits. Times are processor time: warm ones the least of repeated runs, the methods in turn; compiling is what
-the first run of a right-hand side took more; cold ones are those of a new process, imports and compilation included,
-on three scenes, at the first tolerance that reaches an error of 1e-9.
+The error is that of the end state, its largest component over the largest of the state, against a reference to 30
+digits. Times are processor times: a warm one is the least of repeated runs, with the methods in turn; that of compiling
+is how much longer the first run of a right-hand side took; a cold one is that of a new process, imports and compilation
+included, on three scenes, at the first tolerance that reaches an error of 1e-9.
 
     python benchmarks/run_time_against_error.py            all methods; writes results/run_time_against_error.json
     python benchmarks/run_time_against_error.py --peers    compiled, all problems; run_time_against_peers.json
@@ -38,13 +38,13 @@ ALL = [name for group in scenes.SETS.values() for name in group]
 PEERS = ("tam570, compiled", "tam570, prepared", "heyoka", "CyRK", "SciPy DOP853")
 QUICK_SCENES = ["ballistics", "hanging spring", "braking car"]
 TARGETS = (1e-6, 1e-9, 1e-12)
-LONGEST = 1.0  # s of one run; a method that takes longer is not asked for more digits
+LONGEST = 1.0  # s of one run; a slower method is not run at finer tolerances
 REPEATED = 0.02  # s of processor time spent on the repeats of a run
 EPS = 2.0**-52
 
 
 def references(names):
-    """The end state of each scene, strings of 30 digits; computed where they are not kept for these very scenes."""
+    """Return the end state of each scene, strings of 30 digits; compute those not stored for the same scene."""
     known_states = json.loads(REFERENCES.read_text()) if REFERENCES.exists() else {}
     for name in tqdm(names, desc="references", disable=None):
         rhs, start, parameters, end = scenes.scene(name)
@@ -57,7 +57,7 @@ def references(names):
 
 
 def error(state, reference):
-    """Largest component of the error over the largest of the state."""
+    """Return the largest component of the error over the largest of the state."""
     with mpmath.workdps(30):
         exact = [mpmath.mpf(x) for x in reference]
         wrong = max(abs(mpmath.mpf(float(x)) - y) for x, y in zip(state, exact, strict=True))
@@ -65,7 +65,7 @@ def error(state, reference):
 
 
 def condition(scene):
-    """Relative change of the end state over that of the start, the worst component; and over that of the duration."""
+    """Return the largest relative change of the end state over that of a component of the start, or of the duration."""
     rhs, start, parameters, end = scene
     solve = methods.solve
     largest = np.abs(solve(rhs, np.linspace(0, end, 400), start, parameters=parameters)).max(axis=0)
@@ -81,10 +81,10 @@ def condition(scene):
 
 
 def measured(method, scene, tolerance, reference):
-    """(seconds, error, seconds of the first run and what it needs) of a method at a tolerance; None if it gives up."""
+    """Return (seconds, error, seconds of preparation and first run) at a tolerance; None if the method fails."""
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # odeint and LSODA complain beyond their own rounding
+            warnings.simplefilter("ignore")  # odeint and LSODA warn at tolerances below their rounding
             began = time.process_time()
             run = methods.METHODS[method](scene, tolerance)
             state = run()
@@ -95,7 +95,7 @@ def measured(method, scene, tolerance, reference):
 
 
 def _least_time(run):
-    """Of runs so many at a time that the clock is good to a thousandth."""
+    """Return the least time of a run, s; short runs are timed in groups of at least 1 ms."""
     together, times, began = 1, [], time.process_time()
     while time.process_time() - began < REPEATED or len(times) < 3:
         start = time.process_time()
@@ -112,10 +112,7 @@ def _least_time(run):
 
 
 def curves(name, tolerances, reference, names):
-    """Return {method: [[tolerance, seconds, error], ...]} of one scene, and what compiling took, {method: seconds}.
-
-    The methods take turns.
-    """
+    """Return {method: [[tolerance, seconds, error], ...]}, run in turn, and {method: seconds of compiling}."""
     scene, points, done, compiling = scenes.scene(name), {method: [] for method in names}, set(), {}
     for tolerance in tolerances:
         for method in (m for m in names if m not in done):
@@ -130,7 +127,7 @@ def curves(name, tolerances, reference, names):
 
 
 def cold_times(name, curves_of):
-    """{method: seconds} of a new process to its first result, of those that reach 1e-9; (first) has no code on disk."""
+    """Return {method: seconds} of a new process to its first result, if it reaches 1e-9; (first): no code on disk."""
     times = {}
     for method, curve in curves_of.items():
         tolerance = next((tol for tol, _, e in curve if e <= 1e-9), None)
@@ -144,7 +141,7 @@ def cold_times(name, curves_of):
 
 
 def _process(name, method, tolerance, **environment):
-    """Processor time of a new process up to its first result."""
+    """Return the processor time of a new process up to its first result, s."""
     code = (
         f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); from run_time import methods, scenes; "
         f"methods.METHODS[{method!r}](scenes.scene({name!r}), {tolerance!r})()"
@@ -156,7 +153,7 @@ def _process(name, method, tolerance, **environment):
 
 
 def report(results):
-    """The tables, as printed."""
+    """Print the tables."""
     for target in TARGETS:
         print(f"\ntime to an error of {target:g}, SciPy DOP853 = 1")
         for method, row in results["ratios"][f"{target:g}"].items():
@@ -182,14 +179,14 @@ def report(results):
 
 
 def measure(names, tolerances, cold, keep, results, requested=()):
-    """The results, handed to `keep` after every scene: a run that is stopped has not been for nothing.
+    """Measure the scenes and return the results; call `keep` with them after every scene, in case the run is stopped.
 
-    results : scenes measured before, which stay beside those measured now
+    results : scenes measured before, to which those measured now are added
     """
     exact = references(names)
     installed = [method for method in requested or methods.METHODS if methods.available(method)]
     for name in tqdm(names, desc="scenes"):
-        measured_curves, compiling = curves(name, tolerances, exact[name], installed)  # first: nothing is compiled yet
+        measured_curves, compiling = curves(name, tolerances, exact[name], installed)  # before anything is compiled
         scene = {"curves": measured_curves, "compiling": compiling, "condition": condition(scenes.scene(name))}
         scene["cold"] = cold_times(name, scene["curves"]) if cold and name in QUICK_SCENES else {}
         results[name] = scene

@@ -1,8 +1,8 @@
-"""What the students' pages need of run time against error: a call of the contract, the end state, curves.
+"""Extract what students' pages need of run time against error: a call of the contract, the end state, curves.
 
     python benchmarks/run_time_for_pages.py      writes autograder/tam570_grader/results/run_time.json from results/
 
-The scenes are those of run_time_against_error.py; one is kept where the call's last row is the state compared there.
+The scenes are those of run_time_against_error.py whose call returns, in its last row, the end state compared there.
 """
 
 import json
@@ -18,7 +18,7 @@ SAME = 1e-6  # of the state: the solution reaches 1e-9 in every scene
 
 
 def shared():
-    """{assignment: what its page needs}, as it is written."""
+    """Return {assignment: data of its page}, as written to the file."""
     results = json.loads((HERE / "results" / "run_time_against_error.json").read_text())
     ends = json.loads((HERE / "results" / "run_time_references.json").read_text())
     pages = {}

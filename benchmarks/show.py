@@ -1,7 +1,7 @@
-"""How long `tam570 show` takes from the command to the page, and how large the page is.
+"""Measure how long `tam570 show` takes from the command to the page, and how large the page is.
 
     python benchmarks/show.py            every scene by its reference solution, the best of five runs
-    python benchmarks/show.py --peers    beside them, the double pendulum's film as Matplotlib's own page of pictures
+    python benchmarks/show.py --peers    also the double pendulum's scene as Matplotlib's own page of pictures
 
 Prints a table and, with --peers, writes results/show.json. Times of one run on one machine; compare them with each
 other.
@@ -25,14 +25,14 @@ REPEATS = 5
 
 
 def seconds(command):
-    """Time of a Python command, s."""
+    """Return the time of a Python command, s."""
     started = time.perf_counter()
     subprocess.run([sys.executable, *command], capture_output=True, check=True)
     return time.perf_counter() - started
 
 
 def measured(slug, folder):
-    """One scene, from the command to the page."""
+    """Measure one scene, from the command to the page."""
     where = folder / f"{slug}.html"
     command = ["-m", "tam570", "show", slug, str(SOLUTIONS / f"{slug}.py"), "--save", str(where)]
     best = min(seconds(command) for _ in range(REPEATS))
@@ -40,7 +40,7 @@ def measured(slug, folder):
 
 
 def by_matplotlib(folder):
-    """The same film of the double pendulum as Matplotlib's HTMLWriter has it: a picture for each frame."""
+    """Measure the double pendulum's scene as Matplotlib's HTMLWriter writes it: a picture for each frame."""
     from matplotlib.animation import HTMLWriter
 
     from tam570.show.pictures import save_frames

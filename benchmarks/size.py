@@ -1,12 +1,11 @@
-"""What a large class costs: memory and seconds of a run that resumes, of one late file and of the report.
+"""Measure memory and time for a large class: of a run that resumes, of one late file, and of the report.
 
     python benchmarks/size.py                      1,000, 10,000 and 70,000 submissions: 5,000 students times 14
     python benchmarks/size.py --sizes 1000 5000
 
-Four works on each assignment are graded for real: right, wrong twice, and the stub. The results of all others are
-written as the grader would write them, from the result of the same work; their pages are made by the grader. Then the
-commands run, each as a process. Prints a table and writes results/size.json: seconds on the clock, seconds of the
-processor, and the most memory of the process that hands out and writes.
+Four submissions to each assignment are really graded: the solution, two wrong ones, and the stub. The results of all
+others are copied from that of the same text; the grader makes their pages. Then each command runs as a process. Prints
+a table and writes results/size.json: wall time and processor time, s, and the peak memory of the coordinator.
 """
 
 import argparse
@@ -33,7 +32,7 @@ COURSE = assignments.find()
 SLUGS = assignments.slugs(COURSE)
 WORKS = 4  # on each assignment
 SEED = 570
-# runs a command, and says last what it took
+# runs a command and prints its cost in the last line
 RUN = """
 import json, resource, sys, time
 from tam570_grader.cli import main
@@ -48,14 +47,14 @@ sys.exit(code)
 
 
 def works(slug):
-    """The texts of the works on an assignment."""
+    """Return the texts of the submissions to an assignment."""
     solution = (COURSE / "solutions" / f"{slug}.py").read_text()
     wrong = list(overlays(assignments.checks_folder(COURSE, slug)).values())
     return [solution, *(f"{solution}\n\n{text}" for text in (wrong[0], wrong[-1])), stub(solution)]
 
 
 def class_of(size, folder):
-    """So many submissions, all assignments of a student after each other; the plan to grade them."""
+    """Write `size` submissions, one student's to all assignments after another's; return how to grade them."""
     texts = {slug: works(slug) for slug in SLUGS}
     for number in range(size):
         student, slug = number // len(SLUGS), SLUGS[number % len(SLUGS)]
@@ -68,7 +67,7 @@ def class_of(size, folder):
 
 
 def graded():
-    """The results of the works, by their assignment and number."""
+    """Grade the works; return their results by assignment and number."""
     with tempfile.TemporaryDirectory() as folder:
         config = class_of(WORKS * len(SLUGS), Path(folder))
         lines = tqdm(batch.records(config), total=len(config.submissions), desc="grading", leave=False, disable=None)
@@ -80,7 +79,7 @@ def work_of(student, slug):
 
 
 def write_journal(config, results, folder):
-    """`results.jsonl` as a run leaves it."""
+    """Write `results.jsonl` as a run leaves it."""
     folder.mkdir()
     with open(folder / "results.jsonl", "w") as file:
         for student, slug, digest in batch.digests(config):
@@ -89,7 +88,7 @@ def write_journal(config, results, folder):
 
 
 def measured(*arguments):
-    """Seconds and memory of a command."""
+    """Run a command; return its seconds and memory."""
     command = [sys.executable, "-c", RUN, *map(str, arguments)]
     done = subprocess.run(command, cwd=COURSE, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     if done.returncode:
@@ -98,7 +97,7 @@ def measured(*arguments):
 
 
 def costs(size, results):
-    """What each command takes on a class of this size, in the order in which an instructor runs them."""
+    """Measure each command on a class of this size, in the order in which an instructor runs them."""
     with tempfile.TemporaryDirectory() as folder:
         handed_in, out = Path(folder) / "submitted", Path(folder) / "out"
         write_journal(class_of(size, handed_in), results, out)

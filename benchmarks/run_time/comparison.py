@@ -1,4 +1,4 @@
-"""What curves of run time against error come to: times to an error, one method over another, compiling."""
+"""Summarize curves of run time against error: times to an error, one method over another, compiling."""
 
 import itertools
 
@@ -12,9 +12,9 @@ PEERS = ("heyoka", "CyRK")
 
 
 def tables(scenes, targets, sets):
-    """All of it; scenes : {scene: its curves and compiling}, sets : {name: scenes}.
+    """Return all tables; scenes : {scene: its curves and compiling}, sets : {name: scenes}.
 
-    In "against" are rows of our method, the peer, the error and what `against` tells.
+    The rows of "against" are our method, the peer, the error, and the result of `against`.
     """
     curves, rows = {name: scene["curves"] for name, scene in scenes.items()}, {}
     for group, members in sets.items():
@@ -30,22 +30,22 @@ def tables(scenes, targets, sets):
 
 
 def _time_to(target, curve):
-    """Seconds to an error of `target`; None if not reached."""
+    """Return seconds to an error of `target`; None if not reached."""
     return time_to(target, [(seconds, error) for _, seconds, error in curve if error > 0])
 
 
 def compiling(scenes):
-    """{method: [median, largest]} of the seconds that a first run took more than a warm one, over the scenes."""
+    """Return {method: [median, largest]} over the scenes, of seconds by which a first run is longer than a warm one."""
     extra = {}
     for scene in scenes.values():
         for method, seconds in scene["compiling"].items():
-            if method != "tam570, prepared":  # it has the code that "tam570, compiled" made
+            if method != "tam570, prepared":  # it uses the code that "tam570, compiled" made
                 extra.setdefault(method, []).append(seconds)
     return {method: [float(np.median(values)), max(values)] for method, values in extra.items()}
 
 
 def against(curves, target, ours, peer):
-    """(median, worst, its scene, number) of our time over the peer's at that error."""
+    """Return (median, worst, its scene, number) of our time over the peer's at that error; None without scenes."""
     pairs = {name: (_time_to(target, s.get(ours, [])), _time_to(target, s.get(peer, []))) for name, s in curves.items()}
     values = {name: a / b for name, (a, b) in pairs.items() if a and b}
     if not values:
@@ -55,6 +55,6 @@ def against(curves, target, ours, peer):
 
 
 def ratios(curves, target):
-    """Median over the scenes, and the largest, of each method's time over that of SciPy's DOP853 at that error."""
+    """Return median over the scenes, and the largest, of each method's time over SciPy's DOP853's at that error."""
     rows = {method: against(curves, target, method, "SciPy DOP853") for method in METHODS}
     return {method: {"median": row[0], "worst": row[1], "scenes": row[3]} for method, row in rows.items() if row}

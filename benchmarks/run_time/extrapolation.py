@@ -10,13 +10,13 @@ import mpmath
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
 
-DIGITS, COLUMNS = 50, 16  # extrapolation multiplies roundings
-TOLERANCE = mpmath.mpf(10) ** -34  # of a step, in shares of the state
+DIGITS, COLUMNS = 50, 16  # extrapolation amplifies rounding
+TOLERANCE = mpmath.mpf(10) ** -34  # of a step, relative to the state
 FUNCTIONS = {name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "sqrt", "hypot")}
 
 
 def end_state(scene):
-    """(k,) mpf, the state at the end of the scene; its numbers are taken as the doubles that they are."""
+    """Return (k,) mpf, the state at the end of the scene; the scene's floats are taken as exact."""
     rhs, start, parameters, end = scene
     formulas, constants = written(traced(functools.partial(rhs, **parameters), len(start)))
     code = compile("\n".join([*formulas.lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
@@ -40,7 +40,7 @@ def end_state(scene):
 
 
 def _step(rates, t, state, h):
-    """The state after a step, and the last change by extrapolation in shares of it."""
+    """Return the state after a step, and the last change by extrapolation relative to it."""
     slopes, row = rates(t, state), []
     for j in range(1, COLUMNS + 1):
         small = h / (2 * j)

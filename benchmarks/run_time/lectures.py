@@ -1,4 +1,4 @@
-"""Every lecture that moves, by its example, and planets that come close to the sun: (rhs, start, parameters, end)."""
+"""Problems (rhs, start, parameters, end): every lecture that moves, and planets that come close to the sun."""
 
 import math
 
@@ -8,7 +8,7 @@ GM = 1.0  # m^3/s^2
 
 
 def _planet(eccentricity):
-    """From the far end of an orbit of 2 pi s; the end is on none of its axes."""
+    """Return a planet from the far end of an orbit with a period of 2 pi s; at the end it is on none of the axes."""
     far = 1 + eccentricity
     start = (far, 0.0, 0.0, 0.0, math.sqrt(GM * (1 - eccentricity) / far), 0.0)
     return load("planet").rates, start, {"gm": GM}, 20.0

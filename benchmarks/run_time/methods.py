@@ -1,6 +1,6 @@
-"""Each method as a function from a scene and a tolerance to a function without arguments that gives the end state.
+"""Methods: each takes a scene and a tolerance and returns a function without arguments that returns the end state.
 
-What a library does once for a system (compiling it) is done outside the function that is timed.
+What a library does once for a system, such as compiling, is outside the returned function, which is timed.
 """
 
 import functools
@@ -20,7 +20,7 @@ LIBRARIES = {
 
 
 def available(name):
-    """Whether the libraries behind a method are installed."""
+    """Return whether the libraries behind a method are installed."""
     needed = LIBRARIES.get(name, ["numpy" if name.startswith("tam570") else "scipy"])
     return all(importlib.util.find_spec(library) for library in needed)
 
@@ -31,7 +31,7 @@ def ours(method, scene, tolerance):
 
 
 def ours_prepared(scene, tolerance):
-    """As the peers are used: what is compiled is at hand, and a run begins with its start."""
+    """Prepare the run outside the timed function, as for the peers."""
     rhs, start, parameters, end = scene
     run = prepared(rhs, (0.0, end), start, parameters=parameters, rtol=tolerance)
     return lambda: run(start)[-1]
@@ -56,14 +56,14 @@ def odeint(scene, tolerance):
     def states():
         rows, output = odepack(f, start, (0.0, end), **options)
         if output["message"] != "Integration successful.":
-            raise RuntimeError(output["message"])  # it returns what it has, and no error
+            raise RuntimeError(output["message"])  # it returns partial results without raising
         return rows[-1]
 
     return states
 
 
 def cyrk(scene, tolerance):
-    """Its numba interface, with the right-hand side as a callback in C."""
+    """Use CyRK's numba interface, with the right-hand side as a callback in C."""
     from CyRK.nb.numba_solver import nbsolve2_ivp
 
     rhs, start, parameters, end = scene
@@ -80,7 +80,7 @@ def cyrk(scene, tolerance):
 
 
 def _by_numba(rhs, parameters, size):
-    """The traced right-hand side as a function in numba's hands, as CyRK's manual advises; once a problem."""
+    """Compile the traced right-hand side with numba, once for each problem, as CyRK's manual advises."""
     from tam570.integrate.formulas import written
     from tam570.integrate.trace import traced
 
@@ -100,7 +100,7 @@ def _compiled(source):
 
 
 def _by_heyoka(scene):
-    """The variables and their rates, as heyoka's integrators take them."""
+    """Return pairs of variables and rates, as heyoka's integrators take them."""
     import heyoka as hy
 
     from tam570.integrate.formulas import written
@@ -127,7 +127,7 @@ def heyoka(scene, tolerance):
 
     def states():
         run.time, run.state[:] = 0.0, start
-        run.step(end / 1000)  # bounded: at rest its own choice may be any length
+        run.step(end / 1000)  # bounded: at rest heyoka may choose a step of any length
         run.propagate_until(end)
         return run.state.copy()
 
@@ -135,13 +135,13 @@ def heyoka(scene, tolerance):
 
 
 def ours_from(scene, starts, tolerance):
-    """The ends of all motions from these (m, n) starts."""
+    """Return a function that returns the ends of all motions from these (m, n) starts."""
     rhs, _, parameters, end = scene
     return lambda: solve(rhs, (0.0, end), starts, parameters=parameters, rtol=tolerance, method="compiled")[:, -1]
 
 
 def heyoka_from(scene, starts, tolerance):
-    """The same by heyoka's batches of eight; there must be a multiple of that."""
+    """Return the same for heyoka's batches of eight; m must be a multiple of eight."""
     import heyoka as hy
 
     end, size, lanes = scene[-1], starts.shape[1], 8

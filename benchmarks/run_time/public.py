@@ -97,7 +97,7 @@ def _henon_heiles(t, s):
 
 
 def _heavy_top(t, s):
-    """Angular velocity and the vertical, in the body's axes."""
+    """Return rates of the angular velocity and the vertical, in the body's axes."""
     p, q, r, x, y, z = s
     A, B, C, weight = 1.0, 1.2, 0.5, 2.0
     return (
@@ -119,7 +119,7 @@ def _double_pendulum(t, s):
 
 
 def _bodies(masses):
-    """In the plane: all x, all y, all velocities along x, along y."""
+    """Return the rates of bodies in a plane; the state has all x, all y, all velocities along x, then along y."""
     k = len(masses)
 
     def rates(t, s):

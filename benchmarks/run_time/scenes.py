@@ -1,4 +1,4 @@
-"""What the reference solution of every assignment that simulates hands to the integrator; other sets of problems."""
+"""Problems that the reference solutions of assignments pass to the integrator, and other sets of problems."""
 
 import importlib.util
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ class _Captured(Exception):
 
 
 def loaded(slug):
-    """The reference solution of an assignment, as a module of its own."""
+    """Load the reference solution of an assignment as a new module."""
     spec = importlib.util.spec_from_file_location(f"_{slug}", SOLUTIONS / f"{slug}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -33,7 +33,7 @@ def _capture(rhs, t, y0, *, parameters=None, **_):
 
 @dataclass(frozen=True)
 class Call:
-    """A simulation that a solution is asked for."""
+    """A call of a solution's simulation."""
 
     slug: str
     start: tuple
@@ -46,15 +46,15 @@ class Call:
         return np.array([0.0, self.end]), *self.start
 
     def of(self, module):
-        """What the function of a solution returns."""
+        """Return what the function of a solution returns."""
         return getattr(module, self.function)(*self.arguments, **self.parameters)
 
     def handed_over(self):
-        """rhs, y0, parameters and end of the first integration that the solution asks for."""
+        """Return rhs, y0, parameters and end of the first integration that the solution calls."""
         original = tam570.integrate.solve
         tam570.integrate.solve = _capture
         try:
-            self.of(loaded(self.slug))  # loaded now, so that it takes `solve` from above
+            self.of(loaded(self.slug))  # loaded here, so that it imports the replaced `solve`
         except _Captured as captured:
             return *captured.args, self.end
         finally:
@@ -110,7 +110,7 @@ SCENES = {
 
 SMOOTH = [name for name in lectures.PROBLEMS if name != "rocket"]  # no reference by series past its burnout
 OTHERS = {**public.PROBLEMS, **literature.PROBLEMS}
-# another set is one more row
+# add a row for another set
 SETS = {
     "scenes": list(SCENES),
     "public": list(public.PROBLEMS),
@@ -120,7 +120,7 @@ SETS = {
 
 
 def scene(name):
-    """(rhs, start, parameters, end): states at `end`, s, are compared."""
+    """Return (rhs, start, parameters, end) of a scene; states at `end`, s, are compared."""
     if name in SCENES:
         return SCENES[name].handed_over()
     if name in lectures.PROBLEMS:

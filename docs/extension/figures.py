@@ -1,4 +1,4 @@
-"""Tables and pictures of the benchmarks' page, from `benchmarks/results/`: nothing is measured here, or copied by hand.
+"""Make the tables and pictures of the benchmarks' page from `benchmarks/results/`; nothing is measured here.
 
 python docs/extension/figures.py    draws them again, into docs/generated/
 """
@@ -13,7 +13,7 @@ COURSE = Path(__file__).resolve().parents[2]
 RESULTS_FOLDER = COURSE / "benchmarks" / "results"
 INTO = COURSE / "docs" / "generated" / "figures"
 PICTURES = ("run_time_against_error", "run_time_against_peers")
-PANELS = 12  # of a picture; where there are more scenes, every second or third is drawn
+PANELS = 12  # of a picture; of more scenes, every second or third is drawn
 COLOURS = {
     "tam570, Python": "#0b62b8",
     "tam570, compiled": "#c2410c",
@@ -46,7 +46,7 @@ def _results(name):
 
 
 def _picture(name):
-    """Run time over error, a panel for each scene; the thick lines are ours."""
+    """Draw run time over error, a panel for each scene; the thick lines are ours."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -93,7 +93,7 @@ def _table(heading, rows):
 
 
 def _beside(words, ours, peer):
-    """A line of seconds: ours, those of a peer, and how many times as many these are."""
+    """Return a row of a table: our time, that of a peer, s, and their ratio."""
     return [words, f"{1e3 * ours:.0f} ms", f"{1e3 * peer:.0f} ms", f"{peer / ours:.0f}"]
 
 
@@ -182,7 +182,7 @@ def _ensembles(results):
 
 
 def _power(number):
-    """10⁻⁶ for 1e-06."""
+    """Return a power of ten as text, such as 10⁻⁶ for 1e-06."""
     digits = re.sub(r".*e-0*", "", number)
     return "10⁻" + digits.translate(str.maketrans("0123456789", "⁰¹²³⁴⁵⁶⁷⁸⁹"))
 

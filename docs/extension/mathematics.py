@@ -1,4 +1,4 @@
-"""Formulas as MathML, which browsers draw themselves.
+"""Render formulas as MathML, which browsers draw without scripts.
 
 Browsers ignore `mathvariant="bold"`, so bold letters become the bold letters of Unicode. They set no space around the
 name of a function, and too much around a bar.
@@ -23,14 +23,14 @@ def setup(app):
 
 
 def mathml(text, display="inline"):
-    """MathML of a formula in LaTeX."""
+    """Return the MathML of a formula in LaTeX."""
     markup = re.sub("&#x([0-9A-F]+);", _unescaped, convert(text, display=display))
     markup = re.sub(r'<mo(?: stretchy="false")?>[|∣]</mo>', '<mi mathvariant="normal">|</mi>', markup)
     return FUNCTION.sub(_apart, BOLD.sub(_bold, markup))
 
 
 def _apart(match):
-    """The name of a function with a space to a factor before it, and to an argument without parentheses."""
+    """Return a function's name with a space to a factor before it, and to an argument without parentheses."""
     before, after = match.string[: match.start()], match.string[match.end() :]
     space = "" if before.endswith(("</mo>", "row>", "<mfrac>", "<math>", "/>")) else THIN
     return space + match[0] + ("" if re.match(r"<mo[^>]*>\(", after) else THIN)

@@ -1,4 +1,4 @@
-"""Pages made from the code before the rest is read: each assignment's problem, the gallery, each lecture."""
+"""Write pages from the code before Sphinx reads the others: each assignment's problem, the gallery, each lecture."""
 
 import re
 import shutil
@@ -28,7 +28,7 @@ def setup(app):
 
 
 def _write(app):
-    """Write docs/generated anew; a file that is as it was keeps its time, so that Sphinx does not read it again."""
+    """Write docs/generated; leave unchanged files alone, so that Sphinx does not read them again."""
     folder = Path(app.srcdir, "generated")
     pages = {f"problems/{slug}.md": _problem(slug) for slug in assignments()}
     pages |= {f"lectures/{name}.md": _lecture(lecture) for name, lecture in catalogue().items()}
@@ -50,7 +50,7 @@ def _write(app):
 
 
 def _systems():
-    """What each learning management system gives and takes, from the value that the grader has of it."""
+    """Return the page of learning management systems, with what each exports and imports, from SYSTEMS."""
     parts = ["# Learning management systems\n"]
     for name, system in SYSTEMS.items():
         does = [f"`tam570-grader collect DOWNLOAD --from {name} --roster TABLE`"]
@@ -65,7 +65,7 @@ def _systems():
 
 
 def _problem(slug):
-    """The README of an assignment, its formulas set as mathematics, its scene."""
+    """Return the page of an assignment: its README, its formulas, how to start, and a link to its scene."""
     readme = f"../../../assignments/{slug}/README.md"
     parts = [
         WIDE,
@@ -79,7 +79,7 @@ def _problem(slug):
 
 
 def _all_problems():
-    """One page of all problems, for those who print."""
+    """Return a page of all problems, for printing."""
     includes = [
         f":::{{include}} ../../assignments/{slug}/README.md\n:heading-offset: 1\n:relative-images:\n:::\n"
         for slug in assignments()
@@ -91,7 +91,7 @@ def _all_problems():
 
 
 def _print_problems(app, exception):
-    """Print the page of all problems into problems.pdf, where there is a browser."""
+    """Print the page of all problems to problems.pdf, if a browser is installed."""
     if exception or not CHROMIUM or app.builder.format != "html":
         return
     site = Path(app.outdir).resolve()
@@ -112,14 +112,14 @@ def _gallery():
 
 
 def _lectures():
-    """The pages of the lectures by date, for the menu."""
+    """Return the lectures' entries in the menu, by date."""
     short = {name: re.split("[,:;]", lecture.title)[0] for name, lecture in catalogue().items()}
     tree = "\n".join(f"{words} <generated/lectures/{name}>" for name, words in short.items())
     return f"```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
 
 
 def _stills():
-    """What the gallery's front page includes: a still for each scene."""
+    """Return what the gallery's front page includes: a still for each scene."""
     tasks = [_card(slug, f"generated/assignments.html#{slug[:4]}", title(slug)) for slug in assignments()]
     shown = [_card(name, f"generated/lectures/{name}.html", lecture.title) for name, lecture in catalogue().items()]
     return f"## Assignments\n\n{_grid(tasks)}\n\n## Lectures\n\n{_grid(shown)}\n"
@@ -135,7 +135,7 @@ def _card(name, address, words):
 
 
 def _lecture(lecture):
-    """The page of a lecture: its scene, its text of docs/lectures, its numbers, its code."""
+    """Return the page of a lecture: its scene, its text in docs/lectures, its numbers, its code."""
     module, file = load(lecture.name), f"{lecture.name}.py"
     text = f":::{{include}} ../../lectures/{lecture.name}.md\n:::\n"
     source = f"../../../shared/tam570/lectures/{file}"
@@ -153,7 +153,7 @@ def _lecture(lecture):
 
 
 def _numbers(module):
-    """The state with its units, the conserved quantities, and the numbers of the scene."""
+    """Yield the state with its units, the conserved quantities, and the parameters."""
     if hasattr(module, "STATE"):
         rows = [
             f"| `{name}` | {unit} | {at:g} |"
@@ -169,7 +169,7 @@ def _numbers(module):
 
 
 def readable(text):
-    """Prose of a docstring as Markdown: Greek letters, powers and primes as people write them, nothing as markup."""
+    """Convert a docstring's prose to Markdown: Greek letters, powers and primes as symbols, nothing as markup."""
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(part if part.startswith("`") else _pretty(part) for part in parts)
 

@@ -29,7 +29,7 @@ def setup(app):
 
 @cache
 def film(name):
-    """The film of an assignment, by its reference solution, or of a lecture."""
+    """Return the scene of an assignment, by its reference solution, or of a lecture."""
     if name in names():
         return filmed(load(name))
     return scene_of(load_student(COURSE / "solutions" / f"{name}.py", name), name)
@@ -59,7 +59,7 @@ def _write(folder, name):
 
 
 class SceneDirective(SphinxDirective):
-    """`{scene} NAME`: the still, in whose place `scenes.js` plays the scene while it is on the screen."""
+    """`{scene} NAME`: a still, which `scenes.js` replaces by the playing scene while it is on the screen."""
 
     required_arguments = 1
 

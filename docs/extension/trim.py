@@ -1,6 +1,6 @@
-"""The style sheets of the site without rules for what no page has, and no maps or fonts that no page loads.
+"""Remove from the site the style rules that match nothing on any page, and maps and fonts that no page loads.
 
-The theme's sheet is that of all of Bootstrap; a page of this site uses a tenth of it.
+The theme's style sheet has all of Bootstrap; a page of this site uses a tenth of it.
 """
 
 import re
@@ -12,7 +12,7 @@ import tinycss2
 SHEET = Path("_static/styles/pydata-sphinx-theme.css")
 ICONS = re.compile(
     r"fa-|svg-inline--fa|fa[bdlrsk]?$|sd-|docsearch|DocSearch"
-)  # fonts, and extensions that are not here
+)  # icon fonts, and extensions that are not in use
 NAME = re.compile(r"[.#]([A-Za-z_][\w-]*)")
 NEGATION = re.compile(r":not\([^)]*\)")
 
@@ -42,7 +42,7 @@ def _trim(app, error):
 
 
 def trimmed(sheet, words):
-    """The sheet without the rules all of whose selectors need a class or an id that is not among the words."""
+    """Return the sheet without rules all of whose selectors need a class or an id that is not among the words."""
     rules = tinycss2.parse_stylesheet(sheet, skip_comments=True, skip_whitespace=True)
     return "".join(_kept(rule, words) for rule in rules)
 
