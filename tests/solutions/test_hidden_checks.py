@@ -9,7 +9,7 @@ from parameters import first
 
 from tam570_grader import Case
 from tam570_grader.checks import assignments
-from tam570_grader.checks.expect import Failed
+from tam570_grader.checks.expect import Failed, check_context
 
 HW03 = assignments.assignment(assignments.find(), "hw03_angular_momentum_rate")
 CHECKS = {check.name: check for check in HW03.checks}
@@ -165,3 +165,14 @@ def test_any_two_independent_equations_are_right_and_the_wrong_term_alone_fails(
 )
 def test_terms_that_do_not_belong_together_fail(W, changed, failed, failed_terms):
     assert failed_terms(W, **changed) == failed
+
+
+@pytest.mark.parametrize(
+    ("row", "words"), [(1, "y of Newton's law for bar 1"), (5, "moments on bar 2"), (7, "do you solve all ten?")]
+)
+def test_the_balance_that_does_not_hold_is_the_hint(row, words, student_of, solution_text):
+    text = solution_text(HW07).replace("return right_side", f"right_side[{row}] += 1.0\n    return right_side")
+    checks = {check.name: check for check in assignments.assignment(assignments.find(), HW07).checks}
+    with check_context(), pytest.raises(Failed) as failed:
+        checks["free_bars_accelerate_as_lagranges"].run(student_of(HW07, text), np.random.default_rng(5))
+    assert words in failed.value.failure.hint

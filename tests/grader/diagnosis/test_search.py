@@ -194,6 +194,13 @@ def test_what_is_no_one_thing_is_not_named(of):
     assert general(SOLUTION, of()) is None
 
 
+def test_a_result_that_cancels_beside_larger_ones_is_explained_too():
+    bodies = (2.0, 3.0, 50.0, 1.7, 0.0), (3.0, 1.0, 70.0, 2.2, 0.0), (1.0, 2.0, 16.0, 8.0, 1e-12)
+    wrong = [(Case(m, h, gravity=g, length=b), m * g * h - m * b**2 / 2 + off) for m, h, g, b, off in bodies]
+    cause = general(SOLUTION, [Call("weight", case, result) for case, result in wrong])
+    assert "the sign of a term with length, mass is reversed" in cause.message
+
+
 def test_what_was_told_of_another_function_is_told_as_the_same(tmp_path):
     earlier = [Cause("lift", "Your result of lift has the opposite sign", "result")]
     cause = diagnose(SOLUTION, tmp_path, calls("cross", "np.cross(b, a)"), earlier)

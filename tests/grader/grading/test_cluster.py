@@ -7,6 +7,7 @@ import subprocess
 import sys
 import time
 from contextlib import contextmanager
+from importlib.util import find_spec
 
 import pytest
 from classes import HW08, hand_in, outcome, results
@@ -14,9 +15,9 @@ from classes import HW08, hand_in, outcome, results
 from tam570_grader import cli
 from tam570_grader.sandbox.launch import isolation
 
-pytest.importorskip("distributed", reason="no dask.distributed: pip install 'tam570[cluster]'")
 pytestmark = [
     pytest.mark.slow,
+    pytest.mark.skipif(find_spec("distributed") is None, reason="no dask.distributed: pip install 'tam570[cluster]'"),
     pytest.mark.skipif(isolation() != "bubblewrap", reason="workers refuse without bubblewrap"),
 ]
 STUDENTS = 24
