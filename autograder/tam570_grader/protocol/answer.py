@@ -1,4 +1,4 @@
-"""Calls a student's function and makes plain data of what it returns: numbers, values of a formula, or a drawing."""
+"""Call a student's function and turn its result into plain data: numbers, values of a formula, or a drawing."""
 
 import builtins
 import random
@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from types import ModuleType
 
 import numpy as np
-import numpy.polynomial  # before the fork, as the next: NumPy puts it off until it is used
+import numpy.polynomial  # before the fork, as the next: NumPy imports both lazily
 import numpy.random
 
 from tam570.bans import IN_ONE, Change, Unusable, everywhere, refused
@@ -22,10 +22,10 @@ LONGEST_TEXT = 300
 
 
 def answers(module: ModuleType, request: Json) -> Iterator[Json]:
-    """Yield the reply to each call: {"value": ..., "changed": were the arguments changed} or {"error": ...}."""
+    """Yield the reply to each call: {"value": ..., "changed": whether arguments changed} or {"error": ...}."""
     try:
         replaced = _stood_in(module, request)
-    except Exception as error:  # of a file's own `__getattr__`
+    except Exception as error:  # a file's `__getattr__` may raise anything
         yield from [{"error": error_report(error)}] * len(request["calls"])
         return
     try:
@@ -48,7 +48,7 @@ def _answer(module: ModuleType, request: Json, args: list[Numbers], kwargs: Json
 
 
 def _own(argument: Numbers) -> Numbers:
-    """Return a writable copy of an array; a list of tuples of a list of lists."""
+    """Return a writable copy of an array, a list of lists as a list of tuples, a number unchanged."""
     if type(argument) is float:
         return argument
     if isinstance(argument, list):
@@ -57,9 +57,9 @@ def _own(argument: Numbers) -> Numbers:
 
 
 def error_report(error: BaseException) -> Json:
-    """Return what is known of an exception.
+    """Return the names of an exception's classes, its text, and the line of the student's file in which it was raised.
 
-    The names of its classes, its text, and where in the student's file it arose.
+    The line is 0 if it was raised elsewhere.
     """
     line, trace = 0, error.__traceback__
     while trace is not None:
@@ -76,9 +76,9 @@ def error_report(error: BaseException) -> Json:
 
 
 def _stood_in(module: ModuleType, request: Json) -> list[Change]:
-    """Put stand-ins for functions of the file, by whatever name they go: for refused ones, for one that is moved.
+    """Replace refused functions of the file, and the one to move, under all their names; return what to restore.
 
-    The function that is called stays, though it be a refused one by another name. What was there, to be put back.
+    The function to call is not replaced, even if it is a refused function under another name.
     """
     if not request["refused"] and not request.get("moved"):
         return []
@@ -97,7 +97,7 @@ def _stood_in(module: ModuleType, request: Json) -> list[Change]:
 
 
 def _moved(function: Function) -> Function:
-    """Return the function with results that are larger by one, each of several; a method stays a method."""
+    """Return the function with all its results larger by one; if it is a method, so is the returned function."""
     return lambda *args, **kwargs: _larger(function(*args, **kwargs))
 
 
@@ -108,7 +108,7 @@ def _larger(result: Numbers) -> Numbers:
 
 
 def seed_generators() -> None:
-    """Start the global random generators alike in every submission, so that its score can be reproduced."""
+    """Seed the global random generators with the same seed for every submission, so that scores are reproducible."""
     random.seed(0)
     np.random.seed(0)  # noqa: NPY002  the global state is what students use
 
@@ -121,7 +121,7 @@ def _text(error: BaseException) -> str:
 
 
 def _contents(args: list[Numbers], kwargs: Json) -> list[Numbers]:
-    """Return what arrays and lists among the arguments hold now: their bytes, for a NaN is not equal to itself."""
+    """Return the current content of arrays and lists among the arguments, as bytes and text because NaN != NaN."""
     arguments = [argument for argument in (*args, *kwargs.values()) if type(argument) is not float]
     return [argument.tobytes() if isinstance(argument, np.ndarray) else repr(argument) for argument in arguments]
 
@@ -131,9 +131,9 @@ def _value(function: Function, args: list[Numbers], kwargs: Json, request: Json)
 
 
 def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
-    """Values of the SymPy expression that the function returns, at the request's points; symbols go by their names.
+    """Return the values at the request's points of the SymPy expression that the function returns.
 
-    Another symbol may stand in it if it cancels: if the values are the same whatever it is.
+    Symbols are matched by name. Other symbols are allowed if they cancel, so that the values do not depend on them.
     """
     import sympy
 
@@ -147,7 +147,7 @@ def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Jso
 
 
 def evaluate_a_formula() -> None:
-    """Have SymPy import what it needs to differentiate, cancel and evaluate."""
+    """Evaluate a formula, so that SymPy imports all modules that differentiation and evaluation need."""
     import sympy
 
     x, y = sympy.symbols("x y")

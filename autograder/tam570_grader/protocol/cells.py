@@ -1,4 +1,4 @@
-"""Reads what students hand in without running it: a notebook's cells as short plain text, a module's statements."""
+"""Parse submissions without running them: a notebook's cells as plain text of limited length, a module's statements."""
 
 import io
 import json
@@ -9,8 +9,8 @@ from typing import Any
 from tam570.notebooks import text_of
 
 MOST_CELLS, MOST_OUTPUTS = 500, 50
-LONGEST_TEXT = 10_000  # characters of a text: the time to make a page of it may go with the square
-MOST_TEXT = 100_000  # characters of all texts
+LONGEST_TEXT = 10_000  # characters of a text cell; rendering may take quadratic time
+MOST_TEXT = 100_000  # characters of all text cells
 LONGEST_CODE, LONGEST_OUTPUT, LONGEST_PICTURE = 50_000, 10_000, 3 * 2**20
 CUT = "\n\n(cut: this is too long to show)"
 SILENT = (tokenize.ENCODING, tokenize.COMMENT, tokenize.NL, tokenize.INDENT, tokenize.DEDENT)
@@ -35,14 +35,14 @@ def plain_cells(source: bytes) -> list[CellRecord]:
 
 
 def python(source: bytes) -> str:
-    """Return the code of a notebook, as far as it is Python."""
+    """Return the code of a notebook that is Python."""
     return text_of(source, ".ipynb")
 
 
 def statements(source: bytes) -> str:
-    """List a module's tokens, a statement a line, without comments, blanks and texts that stand alone (docstrings).
+    """Return a module's tokens, a statement per line, without comments, blank lines and lone strings (docstrings).
 
-    SyntaxError where it is no Python; tokens, not trees, for a sum of a thousand terms is a deep tree.
+    Raise SyntaxError if it is not Python. There is no syntax tree, because a sum of a thousand terms is too deep.
     """
     lines: list[list[str]] = [[]]
     try:
@@ -76,7 +76,7 @@ def _plain(cell: CellRecord) -> CellRecord:
 
 
 def _output(output: object) -> CellRecord | None:
-    """Return an output in nbformat's terms; None for one that is none."""
+    """Return an output in nbformat's form, with texts of limited length; None if it is not an output."""
     if not isinstance(output, dict):
         return None
     if output.get("output_type") == "stream":
@@ -88,7 +88,7 @@ def _output(output: object) -> CellRecord | None:
 
 
 def _bundle(data: object) -> dict[str, str]:
-    """Of what is to be shown the pictures, whole or not at all, and the text."""
+    """Return the text, cut, and the pictures, if they are not too large, in an output's data."""
     texts = {mime: _text(data[mime]) for mime in SHOWN if mime in data} if isinstance(data, dict) else {}
     plain = {"text/plain": _cut(texts.pop("text/plain"), LONGEST_OUTPUT)} if "text/plain" in texts else {}
     return plain | {mime: text for mime, text in texts.items() if len(text) <= LONGEST_PICTURE}
@@ -101,7 +101,7 @@ def _text(value: object) -> str:
 def _strings(value: object) -> Iterator[str]:
     for text in value if isinstance(value, list) else [value]:
         if isinstance(text, str):
-            yield text.encode("utf-8", "replace").decode()  # half of a surrogate pair crosses no boundary
+            yield text.encode("utf-8", "replace").decode()  # replaces lone surrogates
 
 
 def _cut(text: str, most: int) -> str:

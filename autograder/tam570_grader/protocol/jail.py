@@ -1,9 +1,10 @@
-"""The jail of one submission: namespaces of its own, limits, another user, no capabilities.
+"""Confine a submission: separate namespaces, limits, another user, no capabilities.
 
-    monitor          forks one sandbox process after another, each into namespaces of its own, and holds the leash
+    monitor          forks one sandbox process after another, each into new namespaces, and watches it
     sandbox process  confines itself, then serves calls to the student's functions; process 1 of its namespace
+    leash            socket by which the supervisor gives orders to the monitor
 
-Where namespaces are not to be had, the limits and the process group remain.
+If namespaces are not available, the limits and the process group remain.
 """
 
 import contextlib
@@ -22,22 +23,22 @@ from pathlib import Path
 
 from .refusals import CALLS, LIBC, refuse_calls
 
-HELD = ctypes.PyDLL(None, use_errno=True)  # the C library, whose calls keep Python's lock: a fork must
-NO = (ctypes.c_long(0),) * 4  # stack, and places for numbers, of a clone that is a fork
+HELD = ctypes.PyDLL(None, use_errno=True)  # the C library, called with the GIL held, as a fork requires
+NO = (ctypes.c_long(0),) * 4  # stack, and addresses of ids, of a clone that acts as a fork
 NEW_MOUNTS, NEW_IPC, NEW_USER, NEW_PROCESSES = 0x20000, 0x8000000, 0x10000000, 0x20000000
 # mount flags; private is recursive
 PRIVATE, BIND, REMOUNT, NO_PROGRAMS, NO_DEVICES, NO_SUID, READ_ONLY = 0x44000, 0x1000, 32, 8, 4, 2, 1
 DIE_WITH_PARENT, DUMPABLE, SUBREAPER, NO_NEW_PRIVILEGES = 1, 4, 36, 38  # prctl options
 CAPABILITY_VERSION = 0x20080522
-MOST_FILES = 2**16  # that the supervisor may have open; the limit itself is endless on some systems
-SCRATCH = "/scratch"  # the sandbox process's own folder; not /tmp, where Python and its packages may be
-CHANNEL = 3  # its only file besides /dev/null
+MOST_FILES = 2**16  # file descriptors that the supervisor may have open; some systems have no limit
+SCRATCH = "/scratch"  # the sandbox process's writable folder; not /tmp, where Python and its packages may be
+CHANNEL = 3  # its only file descriptor besides /dev/null
 
 
-ORDERS = b"cek"  # that a monitor gets about its process
-POLL = 0.02  # s between looks at a process that may have ended
-MOMENT = 0.5  # s, in which one that was killed has ended: its memory is given back before its channel is closed
-BY_TICKS, EXACT = 0, 2  # clocks of a process
+ORDERS = b"cek"  # orders to a monitor about its process: see `watch`
+POLL = 0.02  # s between checks whether a process has ended
+MOMENT = 0.5  # s in which a killed process ends after its channel closes; its memory is freed before
+BY_TICKS, EXACT = 0, 2  # CPU clocks of a process: the kernel's ticks, and exact
 
 
 @dataclass(frozen=True)
@@ -45,27 +46,27 @@ class Limits:
     """What one submission may use."""
 
     cpu: int  # s
-    memory: int  # bytes, with what the zygote itself has
-    file_size: int  # bytes, of a file and of all files together
+    memory: int  # bytes, including the zygote's own
+    file_size: int  # bytes, of each file and of all files together
     processes: int
     namespaces: bool
-    user: int | None  # the id to change to, under root
+    user: int | None  # id to change to; only under root
     hidden: Sequence[str] = ()  # modules that are off limits
 
     @property
     def refusals(self) -> dict[str, bool]:
-        """What a filter of system calls has to refuse where there are no namespaces, nor a limit of processes."""
+        """What the system call filter must also refuse without namespaces: signals; forks if `processes` is 1."""
         return {"signals": not self.namespaces, "forks": not self.namespaces and self.processes == 1}
 
 
 def secede(limits: Limits) -> None:
-    """Leave the zygote's namespaces; without root, as root of a user namespace of our own. No process is seen there."""
+    """Enter new namespaces (without root, also a user namespace) with an empty /proc and read-only mounts in /dev."""
     flags = NEW_MOUNTS | NEW_IPC
     if limits.user is not None:
         _must(LIBC.unshare(flags), "unshare")
     else:
         user, group = os.getuid(), os.getgid()
-        LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # the maps below belong to root while we are not dumpable
+        LIBC.prctl(DUMPABLE, 1, 0, 0, 0)  # only a dumpable process may write the maps below
         _must(LIBC.unshare(flags | NEW_USER), "unshare")
         for name, line in (("setgroups", "deny"), ("uid_map", f"{user} {user} 1"), ("gid_map", f"{group} {group} 1")):
             with open(f"/proc/self/{name}", "w") as file:
@@ -77,7 +78,7 @@ def secede(limits: Limits) -> None:
 
 
 def fork(limits: Limits) -> int:
-    """Fork as os.fork does; where there are namespaces, into new ones."""
+    """Fork as os.fork does, but into new namespaces if they are available."""
     if not limits.namespaces:
         return os.fork()
     clone = ctypes.c_long(CALLS[platform.machine()].clone)
@@ -93,9 +94,9 @@ def fork(limits: Limits) -> int:
 
 
 def confine(limits: Limits, channel: int, folder: str) -> None:
-    """Make this the sandbox process: its own file system, one channel, limits, no privilege."""
+    """Make this the sandbox process: its own scratch folder, one channel, limits, no privileges."""
     _only(channel)
-    os.setsid()  # a signal to one's own process group would reach the zygote
+    os.setsid()  # otherwise a signal to its process group would reach the zygote
     if limits.namespaces:
         _own_files(limits)
     else:
@@ -114,20 +115,20 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
 
 
 def hidden_from_debuggers() -> None:
-    """No other process of the same user may read this one's memory."""
+    """Prevent other processes of the same user from reading this one's memory."""
     if hasattr(LIBC, "prctl"):
         LIBC.prctl(DUMPABLE, 0, 0, 0, 0)
 
 
 def watch(child: int, leash: socket.socket, lifeline: int, limits: Limits) -> None:
-    """Until the sandbox process ends: answer b"c" with its CPU seconds; kill it on b"k" or when the leash is dropped.
+    """Watch the sandbox process until it ends: answer b"c" with its CPU seconds; kill it on b"k" or a closed leash.
 
-    On b"e" it is killed where it does not end by itself in a moment: it has closed its channel, and may have died.
-    It is killed too when the lifeline, a pipe that the zygote holds the other end of, says that the zygote has died.
+    On b"e" (the process has closed its channel, and may be ending) kill it unless it ends within MOMENT. Also kill it
+    when the lifeline, a pipe whose other end is in the zygote, shows that the zygote has died.
 
-    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if it was killed with its zygote, or
-    neither by us nor by its own limit. The kernel keeps that limit by ticks: who sleeps between them is charged whole
-    ones for a little of each.
+    The last message on the leash is "cpu stranger": the CPU seconds used, and 1 if the process was killed with its
+    zygote, or by neither this monitor nor its CPU limit. The kernel applies that limit by ticks; a process that sleeps
+    between ticks may be charged more than it used, so the larger of both times is compared with the limit.
     """
     group = not limits.namespaces
     if group and hasattr(LIBC, "prctl"):
@@ -144,7 +145,7 @@ def watch(child: int, leash: socket.socket, lifeline: int, limits: Limits) -> No
             _kill(child, group)
         how = 0 if ours else os.WNOHANG
         if not hasattr(os, "waitid") or os.waitid(os.P_PID, child, os.WEXITED | os.WNOWAIT | how):
-            charged = _cpu_seconds(child, BY_TICKS)  # the clock of one that has ended goes when it is reaped
+            charged = _cpu_seconds(child, BY_TICKS)  # before it is reaped: then its clock disappears
             ended, status, usage = os.wait4(child, how)
     _reap(group)
     cpu = usage.ru_utime + usage.ru_stime
@@ -155,13 +156,13 @@ def watch(child: int, leash: socket.socket, lifeline: int, limits: Limits) -> No
 
 def _kill(child: int, group: bool) -> None:
     if group:
-        with contextlib.suppress(OSError):  # it has not made its group yet, or has gone
+        with contextlib.suppress(OSError):  # the group does not exist yet, or no longer
             os.killpg(child, signal.SIGKILL)
     os.kill(child, signal.SIGKILL)
 
 
 def _reap(group: bool) -> None:
-    """Kill what the sandbox process left behind; in a process namespace the kernel has done so."""
+    """Kill processes that the sandbox process left; in a PID namespace, the kernel has done so."""
     while group:
         try:
             children = Path(f"/proc/self/task/{os.getpid()}/children").read_text().split()
@@ -175,20 +176,20 @@ def _reap(group: bool) -> None:
 
 
 def _tell(leash: socket.socket, line: str) -> None:
-    with contextlib.suppress(OSError):  # nobody listens any more
+    with contextlib.suppress(OSError):  # the supervisor may have closed the leash
         leash.sendall(line.encode())
 
 
 def _cpu_seconds(pid: int, clock: int = EXACT) -> float:
     try:
-        # as clock_getcpuclockid(3) makes the number of a process's clock
+        # the id of a process's clock, as in clock_getcpuclockid(3)
         return time.clock_gettime((~pid << 3) | clock)
     except OSError:
         return 0.0
 
 
 def _own_files(limits: Limits) -> None:
-    """Enter a scratch folder of our own, without sight of what is off limits."""
+    """Mount and enter a new scratch folder, and hide the modules that are off limits."""
     scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
     _must(LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}")
     for name in limits.hidden:
@@ -197,7 +198,7 @@ def _own_files(limits: Limits) -> None:
 
 
 def _protect(folder: str) -> None:
-    """Make each mount in a folder read only: the times of the system's own devices would be a note to all."""
+    """Make each mount in a folder read-only: submissions could exchange data by the times of the system's devices."""
     for path in (os.path.join(folder, name) for name in os.listdir(folder)):
         if os.path.ismount(path):
             mount_flags = os.statvfs(path).f_flag & (NO_PROGRAMS | NO_DEVICES | NO_SUID)
@@ -206,7 +207,7 @@ def _protect(folder: str) -> None:
 
 
 def _hide(module: str) -> None:
-    """Mount something empty over a module, so that it cannot be imported or read by any way round a ban."""
+    """Mount something empty over a module, so that no way around a ban can import or read it."""
     for folder in sys.path:
         path = os.path.join(folder, *module.split(".")).encode()
         if os.path.isdir(path):
@@ -216,7 +217,7 @@ def _hide(module: str) -> None:
 
 
 def _only(channel: int) -> None:
-    """Close every file but the channel, which becomes CHANNEL; input, output and errors go nowhere."""
+    """Close all file descriptors except the channel, which becomes CHANNEL; open /dev/null as stdin, stdout, stderr."""
     nowhere = os.open(os.devnull, os.O_RDWR)
     if channel != CHANNEL:
         os.dup2(channel, CHANNEL)
@@ -230,14 +231,14 @@ def _limit(limits: Limits) -> None:
     for what, most in ((resource.RLIMIT_FSIZE, limits.file_size), (resource.RLIMIT_NOFILE, 64)):
         _at_most(what, most)
     _at_most(resource.RLIMIT_CORE, 0)
-    if sys.platform == "linux":  # elsewhere address space is not limited, or far beyond what is used
+    if sys.platform == "linux":  # elsewhere, it is not limited, or much larger than the memory in use
         _at_most(resource.RLIMIT_AS, limits.memory, "bytes of memory")
-    if limits.namespaces or limits.user is not None:  # else all processes of the teacher would count
+    if limits.namespaces or limits.user is not None:  # else the user's other processes would count
         _at_most(resource.RLIMIT_NPROC, limits.processes)
 
 
 def _at_most(what: int, most: int, expected: str = "") -> None:
-    """Set a limit; where the teacher's own is lower, that is kept, unless a submission was promised more."""
+    """Set a limit; if the shell's limit is lower, keep that, or raise OSError if `expected` (a unit) is given."""
     try:
         resource.setrlimit(what, (most, most))
     except ValueError:
@@ -251,7 +252,7 @@ def _at_most(what: int, most: int, expected: str = "") -> None:
 
 
 def address_space() -> int:
-    """Bytes of address space in use; 0 where the system does not tell."""
+    """Return the bytes of address space in use; 0 if the system does not report it."""
     try:
         size = os.open("/proc/self/statm", os.O_RDONLY)
     except OSError:

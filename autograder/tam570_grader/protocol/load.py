@@ -1,4 +1,4 @@
-"""Makes a module of what a student handed in: Python source, or the code cells of a notebook."""
+"""Load a submission as a module: Python source, or the code cells of a notebook."""
 
 import ast
 import builtins
@@ -11,15 +11,15 @@ from tam570 import notebooks
 from tam570.bans import HERE, IN_ONE, Unusable, must_be_allowed, must_be_there
 from tam570.values import Json
 
-CodeCell = tuple[str, CodeType]  # a notebook's cell, or "", and its code
+CodeCell = tuple[str, CodeType]  # name of a notebook's cell, or "" for a module, and its code
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 
 def compiled(source: bytes, name: str, *, notebook: bool) -> tuple[list[CodeCell], list[str]]:
-    """Return what is to be run, and the notebook cells that are no Python, as "cell 3: SyntaxError".
+    """Return the code to run, and the notebook cells that are not Python, as "cell 3: SyntaxError: ...".
 
-    Nothing has run yet.
+    None of the code is run.
     """
     if notebook:
         return _compiled_cells(notebooks.code_cells(source))
@@ -35,11 +35,11 @@ def load(
     forbidden: Sequence[str],
     uncallable: Sequence[str],
 ) -> tuple[ModuleType, list[str]]:
-    """Load the student's module, and name the notebook cells that raised and were skipped, as "cell 3: NameError".
+    """Load the student's module; return it and the notebook cells that raised, as "cell 3: NameError: ...".
 
-    forbidden  : modules that may not be imported
-    uncallable : modules of which nothing may be called, while the file is imported either: what needs them there
-                 is left out, and has run where they may be called
+    forbidden  : modules that must not be imported
+    uncallable : modules of which nothing can be called; statements of the file that call them during the import
+                 are skipped (they run in the process for other functions)
     """
     module = ModuleType(name)
     module.__dict__["__builtins__"] = _builtins_without(forbidden, name)
@@ -62,7 +62,7 @@ def load(
 
 
 def _statements_after(error: BaseException, code: CodeType, source: bytes) -> list[CodeCell]:
-    """Return the statements of a module after the one that raised, each by itself."""
+    """Return the statements of a module after the one that raised, each compiled separately."""
     trace = error.__traceback__
     while trace is not None and trace.tb_frame.f_code is not code:
         trace = trace.tb_next
@@ -93,7 +93,7 @@ def _in_words(error: BaseException) -> str:
 
 
 def _builtins_without(forbidden: Sequence[str], module_name: str) -> Json:
-    """Return the built-in functions with an import that refuses the forbidden modules, and what is not promised."""
+    """Return the built-ins with an `__import__` that refuses forbidden modules and those not in `bans.LIBRARIES`."""
     import_module = builtins.__import__
 
     def guarded_import(
@@ -116,7 +116,7 @@ _tamed: set[str] = set()
 
 
 def _without_windows() -> None:
-    """Take care that what a student imports opens no window, and has a kernel to speak to."""
+    """Let imported Matplotlib always use Agg, which opens no window, and IPython the stand-in for a kernel."""
     for name, attribute in (("matplotlib", "use"), ("matplotlib.pyplot", "switch_backend")):
         module = sys.modules.get(name)
         if name not in _tamed and hasattr(module, attribute):
@@ -134,9 +134,9 @@ def _with_agg(choose: Callable[[str], object]) -> Callable[..., None]:
 
 
 def _replace(name: str, module: ModuleType) -> None:
-    """Put the module where every other way of reaching the real one ends.
+    """Replace a module, its loaded submodules and the attribute of its parent, so that the real one is unreachable.
 
-    A package that is not there has no modules: to look at all names would copy a page of memory for most.
+    If it is not loaded, it has no submodules; the search for them would copy pages of memory shared with the zygote.
     """
     for loaded in [other for other in sys.modules if other.startswith(name + ".")] if name in sys.modules else ():
         del sys.modules[loaded]

@@ -1,9 +1,9 @@
-"""What a plot function draws, as numbers: the points of its curves, its labels, and what of these shows on the paper.
+"""Describe by numbers what a plot function draws: the points of its curves, its labels, and which of them are visible.
 
-    print    the figure as pixels (rows, columns, 4), each of three colours from 0 to 255 on white paper and of a 255
-    ink      the pixels (rows, columns) in which two prints differ
+    print    the figure as an image (rows, columns, 4) on white: three colours from 0 to 255, and alpha, which is 255
+    ink      the pixels (rows, columns), bool, in which two prints differ
 
-A curve shows where the paper changes when it alone is drawn: no list of colours, widths and limits says as much.
+A curve is visible where the image changes when the curve alone is drawn: this covers all colours, widths and limits.
 """
 
 import builtins
@@ -18,28 +18,28 @@ from .wire import LARGEST_ARRAY
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
-Artist: TypeAlias = Any  # of Matplotlib: axes, figures, canvases and what they hold
+Artist: TypeAlias = Any  # a Matplotlib object: axes, figure, canvas, or an artist in them
 
 LONGEST_TEXT = 300
 MOST_LINES = 500
-MOST_PRINTED = 12  # artists that are looked at one by one; no picture asks for as many curves
-FEWEST = 10  # points of a curve
-LOOKED_AT = 400  # points of a curve
+MOST_PRINTED = 12  # artists that are drawn one by one; no assignment requires as many curves
+FEWEST = 10  # least points of a curve
+LOOKED_AT = 400  # points of a curve that are tested for visibility, up to twice as many for some curves
 PRINTED = 480  # pixels of the figure's longer side
-CONTRAST = 12  # of 255, black on white; a line of half a point in light grey has 15
-SMALLEST = 2  # points, of a letter's lower side
-PREPARED = 2  # axes, for as many calls of a plot function
-BLOCK = 12  # pixels; dots and dashes leave smaller gaps
+CONTRAST = 12  # least change of a colour, of 255, that counts; a light grey line of half a point has 15
+SMALLEST = 2  # points, least height and width of a label, of which only a letter is drawn
+PREPARED = 2  # axes prepared, each for one call of a plot function
+BLOCK = 12  # pixels; gaps between dots and dashes are smaller
 
 
 def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at: bool = True) -> Json:
-    """Return what the function draws on the Axes it is given; nothing of it shows where nobody looks.
+    """Return what the function draws on the Axes that it is given; without `looked_at`, as if nothing were visible.
 
-    lines          : of each its points (n, 2), label, whether it is a scatter; the shares of its points that show and
-                     that lie within the limits, its extent as a share of the figure's
-    xlabel, ylabel : the labels, and labels_show whether they can be seen
-    scales         : lengths on paper of a unit of x to the right and of y up
-    bent           : how far these are from even, as a share of the axes
+    lines          : of each line its points (n, 2), label, whether it is a scatter plot; the shares of its points that
+                     are visible and within the limits, and its extent as a share of the figure's longer side
+    xlabel, ylabel : the labels; labels_show: whether they are visible
+    scales         : pixels per unit of x to the right and of y up
+    bent           : deviation of the axes from a linear scale, as a share of their length
     """
     axes = blank_axes.take()
     function(axes, *args, **kwargs)
@@ -59,20 +59,20 @@ def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at:
 
 
 class BlankAxes:
-    """Axes that are made before a submission runs: to make them takes as long as to draw a picture."""
+    """Axes that are created before a submission runs, because that takes as long as drawing a picture."""
 
     def __init__(self) -> None:
         self._axes: list[Artist] = []
         self._settings: Json = {}
 
     def prepare(self) -> None:
-        """Make them, after a first picture, for which Matplotlib reads its fonts."""
+        """Draw a first picture, so that Matplotlib loads its fonts, and create the axes."""
         picture(_first_picture, [], {})
         self._settings = _settings()
         self._axes = [self._new() for _ in range(PREPARED)]
 
     def take(self) -> Artist:
-        """Return blank axes of their own figure, as the settings that a submission may have changed make them."""
+        """Return blank axes in a new figure; they are prepared ones if Matplotlib's settings have not changed."""
         return self._axes.pop() if self._axes and self._settings == _settings() else self._new()
 
     @staticmethod
@@ -86,21 +86,21 @@ blank_axes = BlankAxes()
 
 
 def _first_picture(axes: Artist) -> None:
-    """Draw what most do, so that Matplotlib has done once what it puts off: words in two sizes, a legend."""
+    """Draw texts in two sizes and a legend, as most submissions do, so that Matplotlib's lazy work is done."""
     axes.plot(range(FEWEST), label="x")
     axes.set(xlabel="x", ylabel="x", aspect="equal")
     axes.legend()
 
 
 def _settings() -> Json:
-    """Return Matplotlib's settings but for its backend, which imports pyplot when it is read."""
+    """Return Matplotlib's settings except its backend, because reading that imports pyplot."""
     from matplotlib import rcParams
 
     return {name: value for name, value in dict.items(rcParams) if name != "backend"}
 
 
 def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:
-    """Yield every artist of curves, its curves as points, whether it is a scatter."""
+    """Yield each artist that draws curves, the points (n, 2) of its curves, and whether it is a scatter plot."""
     from matplotlib.collections import PathCollection
 
     for line in axes.lines[:MOST_LINES]:
@@ -117,7 +117,7 @@ def _drawn(axes: Artist) -> Iterator[tuple[Artist, list[Numbers], bool]]:
 
 
 def _joined(pieces: list[Numbers]) -> list[Numbers]:
-    """One line of pieces that each begin where the last one ends, as a line of many colours has them."""
+    """Return pieces that each begin where the last one ends (a line of many colours) as one line, others unchanged."""
     neighbours = zip(pieces, pieces[1:], strict=False)
     if len(pieces) < 2 or not all(len(a) and len(b) and np.array_equal(a[-1], b[0]) for a, b in neighbours):
         return pieces
@@ -137,7 +137,7 @@ def _text(text: Artist) -> str:
 
 
 def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
-    """Return the ink of curves and labels together by the axes, and of each curve alone by it."""
+    """Return by artist the ink of each curve, and by `axes` the ink of all curves and labels together."""
     from matplotlib import rcParams
     from matplotlib.backends.backend_agg import FigureCanvasAgg
 
@@ -145,10 +145,10 @@ def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
     figure.dpi = PRINTED / max(figure.get_size_inches())
     _without_words(figure, labels)
     canvas = FigureCanvasAgg(figure)
-    rcParams["agg.path.chunksize"] = 10_000  # it stays, in the settings of blank axes too: to put it back takes long
+    rcParams["agg.path.chunksize"] = 10_000  # not reset afterwards, as that takes long
     with np.errstate(all="ignore"):
         full = _printed(canvas).copy()
-        figure.set_layout_engine("none")  # what is drawn later stays where it is
+        figure.set_layout_engine("none")  # later prints must not move anything
         visible = {artist: artist.get_visible() for artist in curves}
         for artist in (*curves, *(axis for other in figure.axes for axis in (other.xaxis, other.yaxis))):
             artist.set_visible(False)
@@ -158,21 +158,21 @@ def _inks(axes: Artist, curves: list[Artist]) -> dict[Artist, Numbers]:
             artist.set_visible(True)
             paper[:] = empty
             artist.draw(canvas.renderer)
-            inks[artist] = _ink(paper, empty) & inks[axes]  # where nothing is drawn over it
+            inks[artist] = _ink(paper, empty) & inks[axes]  # not covered by others
     return inks
 
 
 def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
-    """Take away what takes long to draw, or needs TeX; of the two labels an x stays, like them in all but the words.
+    """Hide spines, ticks, legends and texts, which are slow to draw or need TeX; replace the two labels by an x.
 
-    A legend goes as a whole: to lay it out takes as long as to draw all else.
+    A legend is hidden as a whole, because its layout takes as long as drawing everything else.
     """
     from matplotlib.legend import Legend
     from matplotlib.text import Text
     from matplotlib.ticker import NullLocator
 
     for axes in figure.axes:
-        axes.get_xlim(), axes.get_ylim()  # these are found now, while the axis has its ticks
+        axes.get_xlim(), axes.get_ylim()  # compute the limits now, while the axes have ticks
         for spine in axes.spines.values():
             spine.set_visible(False)
         for axis in (axes.xaxis, axes.yaxis):
@@ -187,7 +187,7 @@ def _without_words(figure: Artist, labels: tuple[Artist, Artist]) -> None:
 
 
 def _printed(canvas: Artist) -> Numbers:
-    """Return a print, in memory that the next one takes."""
+    """Return a print; the next one overwrites its memory."""
     canvas.draw()
     colours = np.asarray(canvas.buffer_rgba())
     opaque = colours[..., 3:]
@@ -198,7 +198,7 @@ def _printed(canvas: Artist) -> Numbers:
 
 
 def _ink(first: Numbers, other: Numbers) -> Numbers:
-    """Compare the colours where two prints differ at all, which is in few pixels."""
+    """Return the ink of two prints; for speed, compare colours only in the few pixels that differ at all."""
     ink = (first.view(np.uint32) != other.view(np.uint32)).ravel()
     where = np.flatnonzero(ink)
     colours, others = (colours.reshape(-1, 4)[where].astype(np.int16) for colours in (first, other))
@@ -207,7 +207,7 @@ def _ink(first: Numbers, other: Numbers) -> Numbers:
 
 
 def _shown(axes: Artist, points: Numbers, ink: Numbers) -> dict[str, float]:
-    """Of the points, or of every kth: the shares that have ink near them and that lie within the limits, the extent."""
+    """Return the shares of the points (of every kth) that have ink near them and are within the limits; the extent."""
     points = points[np.isfinite(points).all(axis=1)]
     points = points[:: max(1, len(points) // LOOKED_AT)]
     nothing = {"shows": 0.0, "within": 0.0, "extent": 0.0}
@@ -227,7 +227,7 @@ def _shown(axes: Artist, points: Numbers, ink: Numbers) -> dict[str, float]:
 
 
 def _near(ink: Numbers, places: Numbers) -> Numbers:
-    """Return whether there is ink in the block of each of the places, or in one beside it."""
+    """Return whether there is ink in the block of each of these pixels or in one of its neighbours."""
     rows, columns = (-(-size // BLOCK) for size in ink.shape)
     blocks = np.zeros((rows + 2, columns + 2), bool)  # with a border
     down, across = divmod(np.flatnonzero(ink), ink.shape[1])
@@ -253,7 +253,7 @@ def _labels_show(axes: Artist, inks: dict[Artist, Numbers]) -> list[bool]:
 
 
 def _scales(axes: Artist) -> Json:
-    """Pixels to a unit of x and of y, negative where an axis runs backwards; and whether units are evenly long."""
+    """Return pixels per unit of x and y, negative for a reversed axis, and the deviation from linear scales."""
     (left, right), (bottom, top) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     middle = (left + right) / 2, (bottom + top) / 2
     with np.errstate(all="ignore"):

@@ -1,11 +1,11 @@
-"""What the kernel refuses a submission: a filter of system calls, which the process sets itself and cannot take off.
+"""A filter of system calls (seccomp), which a sandbox process sets for itself and cannot remove.
 
     refused   always
-    allowed   with these values of one argument alone; any other use is refused
-    absent    said not to exist: what is asked of them cannot be seen, or they are newer than this table
+    allowed   only with these values of one argument; any other use is refused
+    absent    reported as nonexistent: the filter cannot see their arguments, or they are newer than this table
 
-Refused is what outlives a process and is seen by the next, what no limit counts, and the ways to other processes. Where
-a process has no namespace of its own, it may not signal others either, and, where it is to be one process, not fork.
+Refused are calls whose effects outlive a process and can be seen by the next, resources that no limit counts, and
+access to other processes. A process without its own namespaces is also refused signals and, if limited to one, forks.
 """
 
 import ctypes
@@ -18,16 +18,16 @@ from functools import cache
 
 LIBC = ctypes.CDLL(None, use_errno=True)
 
-# fcntl: to copy a descriptor, its flags and those of the file; no locks, leases, watches and hints
+# fcntl: copies of a descriptor, flags of descriptor and file; no locks, leases, watches or hints
 FCNTL = (0, 1, 2, 3, 4, 1030)
-# madvise: how memory is used; what is said of a file's pages would stay, or tell who has read them
+# madvise: use of memory; advice on a file's pages would persist, or reveal who has read them
 MADVISE = (0, 1, 2, 4, 8, 10, 11, 14, 15, 16, 17)
-# ioctl: whether it is a terminal, its size, bytes to be read, to wait or not, to be closed by another program
+# ioctl: is it a terminal, its size, number of readable bytes, (non)blocking, close on exec
 IOCTL = (0x5401, 0x5413, 0x541B, 0x5421, 0x5450, 0x5451)
-# getsockopt: type, error, sizes of buffers, whether it listens, protocol, family; its cookie is a count of the kernel's
+# getsockopt: type, error, buffer sizes, is it listening, protocol, family; not the cookie, a counter of the kernel
 SOCKET = (3, 4, 7, 8, 30, 38, 39)
-UNIX = (1,)  # other families are modules that the kernel would load, and keep
-# futex: to wait, and what is private to a process; to wake others through a file that all map is a message
+UNIX = (1,)  # for other families, the kernel would load modules and keep them
+# futex: wait, and operations private to a process; waking others through a shared mapped file would be a message
 FUTEX = (0, 9, 265, *range(128, 142), 393)
 NOTHING = (0,)
 Pair = tuple[int, int | None]
@@ -35,47 +35,47 @@ Pair = tuple[int, int | None]
 
 @dataclass(frozen=True)
 class Calls:
-    """A machine's system calls, by number."""
+    """The numbers of system calls on one architecture."""
 
-    machine: int  # its name in the kernel's audit
+    machine: int  # its AUDIT_ARCH
     refused: Mapping[str, int]
     allowed: Mapping[str, tuple[int, int, Sequence[int]]]  # number, argument (from 0), values
-    clone: int  # not with namespaces
-    prctl: int  # not to set filters
-    signals: Sequence[int]  # that a process sends: refused where it sees others
+    clone: int  # refused with flags for namespaces
+    prctl: int  # refused for setting filters
+    signals: Sequence[int]  # calls that send signals: refused without namespaces
     forks: Sequence[int]  # besides clone
 
 
-# By the same number on every machine.
+# calls with the same number on all architectures
 COMMON = {
     **{"io_uring_setup": 425, "pidfd_getfd": 438, "process_madvise": 440, "memfd_secret": 447},
     **{"landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446},  # uncounted memory
 }
-# The others by their numbers on x86_64 and on aarch64; None where a machine has no such call.
+# numbers of other calls on x86_64 and on aarch64; None if there is no such call
 REFUSED = {
-    # ways to others and to the kernel
+    # access to other processes and to the kernel
     **{"ptrace": (101, 117), "process_vm_readv": (310, 270), "process_vm_writev": (311, 271), "bpf": (321, 280)},
     **{"perf_event_open": (298, 241), "userfaultfd": (323, 282), "unshare": (272, 97), "setns": (308, 268)},
     "seccomp": (317, 277),
-    # has no namespace: keys, the kernel's messages (who crashed, and at what address)
+    # without namespaces: keys, the kernel's messages (which process crashed, at what address)
     **{"add_key": (248, 217), "request_key": (249, 218), "keyctl": (250, 219), "syslog": (103, 116)},
     # memory that no limit counts
     **{"shmget": (29, 194), "shmat": (30, 196), "semget": (64, 190), "msgget": (68, 186), "mq_open": (240, 180)},
     **{"memfd_create": (319, 279), "io_setup": (206, 0)},
-    # the ports of a zygote's network are remembered
+    # a zygote's submissions share the ports of its network
     "socket": (41, 198),
-    # a note on a file that all may read: a lock, a watch of who opens it
+    # messages through a file that all can read: by a lock, by watching who opens it
     **{"flock": (73, 32), "inotify_init": (253, None), "inotify_init1": (294, 26), "inotify_add_watch": (254, 27)},
     "fanotify_init": (300, 262),
-    # what of a file is in memory: to put it there or to ask
+    # load pages of a file into memory, or ask which are there
     **{"fadvise64": (221, 223), "readahead": (187, 213), "mincore": (27, 232)},
     **{"splice": (275, 76), "tee": (276, 77), "vmsplice": (278, 75)},
-    "getrusage": (98, 165),  # counts the pages that had to be read
-    # a limit of its own would end it by a signal that looks like somebody else's
+    "getrusage": (98, 165),  # counts the pages that were read from disk
+    # killed by a limit that it sets, a submission would appear to be killed from outside
     "setrlimit": (160, 164),
-    "set_robust_list": (273, 99),  # by which the kernel wakes others when it ends
+    "set_robust_list": (273, 99),  # lets the kernel wake other processes when this one ends
 }
-ALLOWED = {  # the argument (from 0), and its values
+ALLOWED = {  # numbers, argument (from 0), its allowed values
     "fcntl": ((72, 25), 1, FCNTL),
     "ioctl": ((16, 29), 1, IOCTL),
     "madvise": ((28, 233), 2, MADVISE),
@@ -97,7 +97,7 @@ OTHERS = {"clone": (56, 220), "prctl": (157, 167)}
 
 
 def _calls(machine: int, which: int) -> Calls:
-    """Return the calls of a machine, whose numbers are these of each pair."""
+    """Return the calls of an architecture, whose numbers have index `which` in the pairs."""
 
     def numbers(table: Mapping[str, Pair]) -> dict[str, int]:
         return {name: number for name, pair in table.items() if (number := pair[which]) is not None}
@@ -108,27 +108,27 @@ def _calls(machine: int, which: int) -> Calls:
 
 
 CALLS = {"x86_64": _calls(0xC000003E, 0), "aarch64": _calls(0xC00000B7, 1)}
-CLONE3 = 435  # clone is taken where it is absent
-NEWER = 450  # and above: no call that this table knows; programs fall back on older ones
-FOREIGN_CALLS = 0x40000000  # and above: the numbers of x32, whose calls have the name of x86-64
+CLONE3 = 435  # absent, so that the C library uses clone
+NEWER = 450  # calls from this number on are absent, so that programs use older ones
+FOREIGN_CALLS = 0x40000000  # calls from this number on are x32's, with the AUDIT_ARCH of x86-64
 NAMESPACES = 0x7E020000  # flags of clone
-ROBUST_LIST = 24  # bytes of its head; the one that the C library has set could be filled later
-SECCOMP, FILTER = 22, 2  # of prctl
+ROBUST_LIST = 24  # bytes, size of its head; resets the list of the C library, which could be filled later
+SECCOMP, FILTER = 22, 2  # PR_SET_SECCOMP and its mode
 
-# instructions of a filter
+# BPF instructions
 LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-# where a filter finds the call, the machine, the first argument's lower half
+# offsets of the call's number, the architecture and the lower half of the first argument
 NUMBER, MACHINE, ARGUMENTS = 0, 4, 16
 STEP = struct.Struct("=HBBI")
-NEXT, REFUSE, ABSENT, ALLOW = 0, -2, -1, -3  # where a comparison leads: on, or to one of the last three
-PASS, FORBIDDEN, NO_SUCH_CALL = 0x7FFF0000, 0x50001, 0x50026  # what a filter returns: yes, EPERM, ENOSYS
+NEXT, REFUSE, ABSENT, ALLOW = 0, -2, -1, -3  # targets of a jump: the next, or one of the last three instructions
+PASS, FORBIDDEN, NO_SUCH_CALL = 0x7FFF0000, 0x50001, 0x50026  # results of a filter: allow, EPERM, ENOSYS
 Steps = list[tuple[int, int, int, int]]
 
 
 def refuse_calls(*, signals: bool = False, forks: bool = False) -> None:
-    """Have the kernel refuse what no submission needs; signals to any process, and new ones, if asked for.
+    """Set the filter of system calls for this process, optionally also against signals and forks.
 
-    A kernel without filters takes no notice; the namespaces and the other user remain.
+    A kernel without seccomp ignores the filter; the namespaces and the other user remain.
     """
     if data := program(signals=signals, forks=forks):
         LIBC.syscall(CALLS[platform.machine()].refused["set_robust_list"], None, ctypes.c_size_t(ROBUST_LIST))
@@ -138,8 +138,8 @@ def refuse_calls(*, signals: bool = False, forks: bool = False) -> None:
 
 @cache
 def program(*, signals: bool, forks: bool) -> bytes:
-    """Return the filter as the kernel reads it, or nothing; a zygote has it made before it forks for a submission."""
-    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: others
+    """Return the filter as BPF code, b"" if this system has none; cached: a zygote calls it before it forks."""
+    if sys.platform != "linux" or sys.maxsize < 2**32 or platform.machine() not in CALLS:  # 32 bits: other numbers
         return b""
     calls = CALLS[platform.machine()]
     more = (*(calls.signals if signals else ()), *((*calls.forks, calls.clone) if forks else ()))
@@ -159,9 +159,9 @@ def _steps(calls: Calls, more: Sequence[int]) -> Steps:
 
 
 def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:
-    """Return steps that judge a call by the lower half of an argument, and go on with any other call.
+    """Return steps that test the lower half of an argument of one call, and skip the tests for other calls.
 
-    An argument that must be nothing is a pointer, or flags of its own size: its upper half must be nothing, too.
+    An argument that must be 0 may be a pointer, or flags of 64 bits: its upper half must be 0, too.
     """
     lower = ARGUMENTS + 8 * argument
     nothing = [test[1] for test in tests] == [0]
@@ -171,7 +171,7 @@ def _judged(number: int, argument: int, tests: Steps, otherwise: int) -> Steps:
 
 
 def _packed(steps: Steps) -> bytes:
-    """Return a filter as the kernel reads it; its last three instructions are the verdicts."""
+    """Return a filter as BPF code; its last three instructions return the results."""
     packed = b""
     for i, (instruction, value, if_so, if_not) in enumerate(steps, start=1):
         so, no = (len(steps) + leads - i if leads < 0 else leads for leads in (if_so, if_not))

@@ -1,4 +1,4 @@
-"""Data across the sandbox's boundary: msgpack, float arrays as raw bytes, and nothing that could become code."""
+"""Encode data that cross the sandbox's boundary: msgpack, with float arrays as raw bytes, and nothing executable."""
 
 import builtins
 from collections.abc import Sequence
@@ -10,16 +10,16 @@ from typing import Any, TypeAlias
 import msgpack
 from numpy import array, asarray, frombuffer, generic, ndarray
 
-# What a submission does to the built-in functions must not reach those below.
+# a copy: a submission may change the built-ins
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
 Message: TypeAlias = Any  # plain data: numbers, texts, lists and maps of them, float arrays, Foreigns
 
-FOREIGN, TYPES = 2, {1: "<f8", 3: "<c16"}  # codes of extensions
+FOREIGN, TYPES = 2, {1: "<f8", 3: "<c16"}  # codes of msgpack extensions
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
-MOST_ITEMS = 2**20  # of lists and maps in the answers to one request; a number in a list takes 70 bytes
+MOST_ITEMS = 2**20  # items of lists and maps in the replies to one request; a number in a list takes 70 bytes
 DEEPEST = 6  # levels of nested lists in a result
-MOST_DIMENSIONS = 8  # of an array; a stack of arrays has one more
+MOST_DIMENSIONS = 8  # dimensions of an array; `stacked` adds one
 KINDS = {
     "dict",
     "set",
@@ -37,22 +37,22 @@ KINDS = {
 
 @dataclass(frozen=True)
 class Foreign:
-    """A value that does not cross: only what kind it is, out of a fixed list."""
+    """Placeholder for a value that cannot be sent; only its type, from the fixed list KINDS, is known."""
 
     type_name: str
 
 
 class Unreadable(Exception):
-    """The bytes are no message of ours."""
+    """The bytes are not a valid message."""
 
 
 def packed(message: Message) -> bytes:
-    """Bytes of a message of plain data, float arrays and Foreigns."""
+    """Return a message of plain data, float arrays and Foreigns as bytes."""
     return bytes(msgpack.packb(message, default=_extension))
 
 
 def request(calls: Sequence[bytes], **fields: Message) -> bytes:
-    """Bytes of a message of these fields and of "calls", which are packed already."""
+    """Return a message with these fields, and with "calls", which are packed already, as bytes."""
     packer = msgpack.Packer(default=_extension, autoreset=False)
     packer.pack_map_header(1 + len(fields))
     for item in chain(*fields.items(), ["calls"]):
@@ -62,7 +62,7 @@ def request(calls: Sequence[bytes], **fields: Message) -> bytes:
 
 
 class ItemBudget:
-    """The items of lists and maps that messages may still have: a short message can ask for much memory."""
+    """Number of items that lists and maps in messages may still have, as a short message can need much memory."""
 
     def __init__(self) -> None:
         self.remaining = MOST_ITEMS
@@ -75,9 +75,9 @@ class ItemBudget:
 
 
 def unpacked(data: bytes, budget: ItemBudget | None = None) -> Message:
-    """Return the message in the bytes; nothing in it is trusted, and nothing in it can run.
+    """Return the message in untrusted bytes, none of which can run; raise Unreadable if they are invalid.
 
-    budget : what the messages that share it may have of items, each extension being one; a message of ours needs none
+    budget : items that messages may have together (an extension is one item); not needed for messages of the grader
     """
     spend = budget.spend if budget else None
 
@@ -97,14 +97,14 @@ def unpacked(data: bytes, budget: ItemBudget | None = None) -> Message:
             max_array_len=MOST_ITEMS,
             max_map_len=MOST_ITEMS,
         )
-    except Exception as error:  # whatever was sent: it is not a message
+    except Exception as error:  # invalid bytes raise many types
         raise Unreadable(str(error)) from None
 
 
 def portable(value: Message, depth: int = 0) -> Message:
-    """Return a student's value as plain numbers, float or complex arrays and lists of these.
+    """Return a student's value as None, bool, float, float or complex array, or list of these.
 
-    Anything else a Foreign.
+    Anything else becomes a Foreign.
     """
     if value is None or type(value) in (bool, float):
         return value
@@ -122,14 +122,14 @@ def portable(value: Message, depth: int = 0) -> Message:
         return [portable(item, depth + 1) for item in value]
     if numbers is not None and numbers.ndim:
         return [portable(item, depth + 1) for item in numbers]
-    # of SymPy, mpmath, fractions: numpy.asarray(value, float) takes it too
+    # numbers of SymPy, mpmath, fractions: numpy.asarray(value, float) accepts them, too
     if hasattr(type(value), "__float__"):
         return _real(value)
     return Foreign("an array of objects" if isinstance(value, ndarray) else type(value).__name__)
 
 
 def stacked(values: Sequence[Message]) -> ndarray | None:
-    """Several portable values as one array, where they are numbers or arrays alike; else None."""
+    """Return portable values as one array if all are floats, or float arrays of one shape; else None."""
     value_type, first = type(values[0]), values[0]
     if any(type(value) is not value_type for value in values):
         return None
@@ -143,7 +143,7 @@ def stacked(values: Sequence[Message]) -> ndarray | None:
 
 def _real(number: Message) -> float | Foreign:
     try:
-        return 0.0 + float(number)  # of a subclass of float: a plain one
+        return 0.0 + float(number)  # the sum is a plain float, not an instance of a subclass
     except Exception:  # an expression with symbols in it
         return Foreign(type(number).__name__)
 

@@ -1,7 +1,7 @@
-"""The zygote imports once what the assignments need, then forks monitors, which fork a process for each submission.
+"""The zygote imports the libraries once, then forks monitors, which fork a process for each submission.
 
-They are told of a submission only by a socket, the channel to its process; the submission itself goes through that,
-so that no later fork can find an earlier student's work in memory.
+Zygote and monitors never have a submission in memory, where a later fork could find it: they only pass on a socket,
+the channel, through which the supervisor sends the submission to its process.
 """
 
 import builtins
@@ -37,13 +37,13 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 LENGTH = struct.Struct(">I")
 LONGEST_ORDER = 2**14  # bytes
-LONGEST_TEXT, MOST_TOLD = 300, 50  # of what is told of a notebook's cells
-HOLD = 0.02  # s that a reply may wait for the next one
+LONGEST_TEXT, MOST_TOLD = 300, 50  # characters of a report on a notebook's cell, and reports
+HOLD = 0.02  # s that a reply may wait, to be sent together with the next ones
 READINGS = {"cells": plain_cells, "python": python, "statements": statements}
 
 
 def main() -> None:
-    """Serve the supervisor at the other end of the socket that the last argument names."""
+    """Run the zygote: serve the supervisor on the socket whose file descriptor is the last command line argument."""
     control = socket.socket(fileno=int(sys.argv[-1]))
     header = control.recv(LENGTH.size, socket.MSG_WAITALL)
     if not header:
@@ -55,8 +55,8 @@ def main() -> None:
     settings["limits"]["memory"] += jail.address_space()
     program(**jail.Limits(cpu=0, user=None, **settings["limits"]).refusals)
     jail.hidden_from_debuggers()
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # monitors are reaped by the kernel
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the supervisor decides what an interrupt ends
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel reaps monitors
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # on an interrupt, the supervisor ends the zygote
     gc.freeze()
     gc.enable()
     lifeline, held = os.pipe()
@@ -76,7 +76,7 @@ def main() -> None:
 
 
 def _import(preload: list[str]) -> None:
-    """Import libraries; Matplotlib without the properties in its docstrings and signatures: half of its time."""
+    """Import libraries; do not let Matplotlib add properties to its docstrings, which takes half of its import time."""
     if "matplotlib.figure" in preload:
         artist: Any = importlib.import_module("matplotlib.artist")
         artist.kwdoc = lambda _: ""
@@ -86,7 +86,7 @@ def _import(preload: list[str]) -> None:
 
 
 def _warm_up(preload: list[str]) -> None:
-    """Have the libraries import and compute what they do at their first use, once for all submissions."""
+    """Use the libraries once, so that their lazy imports and computations are done for all submissions."""
     if "tam570.integrate" in preload:
         _compile_step(2)
     if "matplotlib.figure" in preload:
@@ -97,14 +97,14 @@ def _warm_up(preload: list[str]) -> None:
 
 @functools.cache
 def _compile_step(size: int) -> None:
-    """Have the integrator compile a step of so many components, if it is imported."""
+    """Let the integrator, if it is imported, compile its step for `size` components."""
     if "tam570.integrate" in sys.modules:
         sys.modules["tam570.integrate"].solve(lambda t, y: tuple(y), [0.0, 0.1, 0.2], [1.0] * size)
         gc.freeze()
 
 
 def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
-    """Fork a sandbox process at each order on the leash, and watch it to its end; never return."""
+    """Run a monitor: for each order on the leash, fork a sandbox process and watch it until it ends; never return."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     has_seceded = not settings["namespaces"]
     try:
@@ -112,7 +112,7 @@ def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
             order, channels, _, _ = socket.recv_fds(leash, LONGEST_ORDER, 1)
             if not order:
                 break
-            if not channels:  # it is about a process that has ended
+            if not channels:  # an order about a process that has ended
                 continue
             of_submission = json.loads(order.lstrip(jail.ORDERS))
             for size in of_submission.pop("states"):
@@ -129,7 +129,7 @@ def _watch_all(leash: socket.socket, lifeline: int, settings: Json) -> None:
 
 
 def _watch(channel: int, leash: socket.socket, lifeline: int, limits: jail.Limits) -> None:
-    """Fork a sandbox process and watch it to its end."""
+    """Fork a sandbox process and watch it until it ends."""
     folder = jail.SCRATCH if limits.namespaces else tempfile.mkdtemp(prefix="tam570-")
     try:
         if not limits.namespaces and limits.user is not None:
@@ -144,7 +144,7 @@ def _watch(channel: int, leash: socket.socket, lifeline: int, limits: jail.Limit
 
 
 def _serve(channel: int, limits: jail.Limits, folder: str) -> None:
-    """Be the sandbox process: load the submission, then answer calls; never returns."""
+    """Run the sandbox process: load the submission and answer calls until the process ends; never return."""
     try:
         _confined(limits, channel, folder)
         seed_generators()
@@ -158,13 +158,13 @@ def _serve(channel: int, limits: jail.Limits, folder: str) -> None:
             else:
                 _answer_all(module, request)
     except Exception:
-        traceback.print_exc()  # a fault of ours; after the jail is shut nobody hears it
+        traceback.print_exc()  # a fault of the grader; invisible after `confine`, which redirects stderr
     finally:
         os._exit(0)
 
 
 def _confined(limits: jail.Limits, channel: int, folder: str) -> None:
-    """Confine this process and say so before it is sent a submission; or say what was in the way, and end."""
+    """Confine this process and report that, before it gets a submission; on failure, report the reason and exit."""
     try:
         jail.confine(limits, channel, folder)
     except Exception as error:
@@ -174,7 +174,7 @@ def _confined(limits: jail.Limits, channel: int, folder: str) -> None:
 
 
 def _read(reading: Callable[[bytes], object], text: bytes) -> Json:
-    """Return what is read of a notebook or a module, nothing of which is run."""
+    """Return the result of parsing a notebook or a module, or the error; nothing of it is run."""
     try:
         return {"read": reading(text)}
     except Exception as error:
@@ -182,9 +182,9 @@ def _read(reading: Callable[[bytes], object], text: bytes) -> Json:
 
 
 def _loaded(request: Json) -> ModuleType | None:
-    """Import the submission, and report the contract's functions that it defines.
+    """Import the submission, send the names of the contract's functions that it defines, and return the module.
 
-    The first reply, on whether it is Python, is sent before any of it runs.
+    A first reply, on whether it is Python, is sent before any of it runs.
     """
     source, name, notebook = request["source"], request["name"], request["notebook"]
     try:
@@ -201,9 +201,9 @@ def _loaded(request: Json) -> ModuleType | None:
 
 
 def _answer_all(module: Any, request: Json) -> None:
-    """One reply for each call; after an error the rest is not computed, unless every one is asked for.
+    """Send a reply for each call; stop after an error unless the request has `every`.
 
-    Replies to quick calls travel in one message, results alike as one array.
+    Replies to fast calls share a message; if all are results of one form, it contains one array.
     """
     unsent, sent = list[Json](), time.monotonic()
     for reply in answers(module, request):
@@ -234,7 +234,7 @@ def _exactly(size: int) -> bytes:
     while len(data) < size:
         chunk = os.read(jail.CHANNEL, size - len(data))
         if not chunk:
-            os._exit(0)  # the supervisor has gone
+            os._exit(0)  # the supervisor has closed the channel
         data += chunk
     return bytes(data)
 
