@@ -1,1 +1,1 @@
-"""Does the grader catch what it must? Mutants, fairness, diagnosis, margins."""
+"""Audit the grader: mutants, hidden cases, fairness, diagnosis, margins."""

@@ -1,7 +1,7 @@
-"""Which hidden cases catch which wrong submission, and the fewest that still catch them all.
+"""Find which hidden cases catch which wrong submission, and a small set of cases that still catches them all.
 
-What must be caught, with every seed: every mutant that any case catches, every known mistake at its first check, and
-what tells a mistake from those that feedback looks for before it.
+With every seed, these must be caught: every mutant that any case catches, every known mistake at its first check, and
+the difference between a mistake and each mistake that the diagnosis tries before it.
 """
 
 import ast
@@ -25,14 +25,14 @@ from tam570_grader.errors import progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
 SEEDS = 20
-EXPENSIVE = 2e-3  # s; cases of longer calls are chosen for what the others do not catch
-CHUNKS = 4  # of the wrong submissions of a seed
-Subject = tuple[int, str]  # a seed, and what must be caught with it
+EXPENSIVE = 2e-3  # s; cases with longer calls are chosen only for subjects that no other case catches
+CHUNKS = 4  # tasks into which the wrong submissions of a seed are divided
+Subject = tuple[int, str]  # a seed, and the name of what must be caught with it
 
 
 @dataclass(frozen=True)
 class Wrong:
-    """A wrong submission: the function that is wrong, those that are with it, and the checks that may catch it."""
+    """A wrong submission: its text, the functions that its slip may affect, and the checks that may catch it."""
 
     name: str
     text: str
@@ -42,18 +42,18 @@ class Wrong:
 
 @dataclass(frozen=True)
 class CaseRun:
-    """Wrong submissions to judge with one seed."""
+    """A task: wrong submissions to run with one seed."""
 
     course: Path
     slug: str
     seed: int
     wrong: Sequence[Wrong]
-    first: bool  # of its seed: it judges the solution, too
+    first: bool  # the first task of its seed, which also runs the solution
 
 
 @dataclass(frozen=True)
 class CaseReport:
-    """The hidden cases of an assignment: what each costs, what catches each subject, and the fewest that do."""
+    """The hidden cases of an assignment: seconds of each, the cases that catch each subject, and the needed ones."""
 
     slug: str
     seeds: int
@@ -63,7 +63,7 @@ class CaseReport:
 
 
 def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) -> CaseReport:
-    """Judge mutants and mistakes with so many seeds, and choose the fewest cases that catch them all."""
+    """Run mutants and mistakes with `seeds` seeds, and choose few cases that catch them all."""
     assignment = assignments.assignment(course, slug)
     wrong = [*_mutants(assignment), *_mistakes(assignment)]
     runs = [
@@ -80,7 +80,7 @@ def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) ->
 
 
 def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozenset[Key]]]:
-    """Return the seconds of each case, and the cases that catch each subject."""
+    """Return the seconds of each case (in the first task of a seed), and the cases that catch each subject."""
     assignment = assignments.assignment(run.course, run.slug)
     solution = solution_replies(run.course, run.slug, run.seed)
     seconds, caught = dict[Key, float](), dict[str, frozenset[Key]]()
@@ -100,7 +100,7 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
 
 
 def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
-    """Yield the mutants, and each in its function alone where others call that."""
+    """Yield each mutant, and if other functions call its function, also with the slip for the checks of that alone."""
     solution = assignment.solution
     students = local.students_of_checks(assignment.root, assignment.slug)
     calls = {check: {key.function for key in student.cases} for check, student in students.items()}
@@ -114,7 +114,7 @@ def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
 
 
 def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
-    """Yield each mistake at the check that it must fail first."""
+    """Yield each known mistake, with the check that it must fail first."""
     reachable = reached(assignment.solution)
     for mistake in mistakes(assignments.checks_folder(assignment.root, assignment.slug)):
         function = ast.parse(mistake.text).body[-1]
@@ -125,7 +125,7 @@ def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
 
 
 def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStudent) -> Iterator[Any]:
-    """For each mistake of a check, and each that is looked for before it, the cases in which their numbers differ."""
+    """Yield, for each mistake of a check and each tried before it, a name and the cases in which they differ."""
     folder, solution = assignments.checks_folder(assignment.root, assignment.slug), assignment.solution
     compared = {name for name, returns in assignment.results.items() if isinstance(returns, Array | Group)}
     calls = [call for call in student.calls if call.name in compared]
@@ -146,7 +146,7 @@ def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStuden
 
 
 def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float]) -> list[Key]:
-    """Return a small set of cases that catches every subject: greedy, the cheap ones first, less what is not needed."""
+    """Return a small set of cases that catches every subject, chosen greedily, cheap ones first."""
     catches = defaultdict[Key, set[Subject]](set)
     for subject, keys in caught.items():
         for key in keys:
@@ -169,7 +169,7 @@ def fewest(caught: Mapping[Subject, frozenset[Key]], seconds: Mapping[Key, float
 
 
 def report(cases: CaseReport) -> list[str]:
-    """Return the lines to print, a table in Markdown."""
+    """Return the lines of a table in Markdown."""
     lines = [
         f"## {cases.slug}: {len(cases.seconds)} cases, {len(cases.needed)} needed by {cases.seeds} seeds",
         "",
@@ -177,7 +177,7 @@ def report(cases: CaseReport) -> list[str]:
         "|---|---|---|---|---|",
     ]
     count, needed = (Counter(key[:3] for key in keys) for keys in (cases.seconds, cases.needed))
-    catches = defaultdict[tuple[str, str, str], list[str]](list)  # what the cases of a row alone catch
+    catches = defaultdict[tuple[str, str, str], list[str]](list)  # subjects that only this row catches
     for (_, subject), keys in cases.caught.items():
         if len(rows := {key[:3] for key in keys}) == 1:
             catches[rows.pop()].append(subject)

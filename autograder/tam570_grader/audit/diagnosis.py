@@ -1,7 +1,7 @@
-"""Ask whether the feedback names the mistake.
+"""Test whether the feedback names the mistakes of wrong submissions.
 
-Each known mistake whose numbers are compared must be named by its own sentence. It is made in the solution, and once
-more in a right submission of another style: there its name is not found by construction.
+The feedback must name each known mistake that it compares by its own sentence. Each is made in the solution, and again
+in a right submission in another style, where the diagnosis does not succeed by construction.
 """
 
 import ast
@@ -21,7 +21,7 @@ from tam570_grader.results.records import Result
 
 ENOUGH = 0.9  # share of the mistakes that the feedback must name
 SEED = 1
-QUICK = 10  # mistakes in the quick form
+QUICK = 10  # about this many mistakes with --quick
 TAKEN = """
 
 from types import ModuleType as _ModuleType
@@ -29,15 +29,15 @@ _mistaken = _ModuleType("_mistaken")
 exec({text!r}, vars(_mistaken))
 globals().update({{_name: vars(_mistaken)[_name] for _name in {names}}})
 """
-ON = " on "  # between a mistake and the style that it is made in
+ON = " on "  # between the names of a mistake and of the style in which it is made
 
 
 @dataclass(frozen=True)
 class Diagnosis:
-    """What the feedback says of a wrong submission, and what it must say."""
+    """The feedback on a wrong submission, and the sentence that it must contain."""
 
     name: str
-    expected: str  # "" if no number is compared
+    expected: str  # "" if the mistake is not compared with numbers
     is_named: bool
     suspects: tuple[str, ...]
     messages: tuple[str, ...]
@@ -45,7 +45,7 @@ class Diagnosis:
 
 
 def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool, seeds: int = 1) -> list[Diagnosis]:
-    """Return the diagnosis of each wrong submission of an assignment, or of a fixed sample, with each of the seeds."""
+    """Return the diagnosis of each wrong submission, or with `quick` of a fixed sample, with each of the seeds."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     wrong = submissions(course, slug, "mistakes")
     if not wrong:
@@ -61,12 +61,12 @@ def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool, seed
     known_mistakes = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
     messages = {mistake.message for mistake in known_mistakes.values()}
     diagnosed = (diagnosis(result, known_mistakes[result.student.partition(ON)[0]], messages) for result in results)
-    # another style may not call what is wrong
+    # a submission in another style may not call the wrong function, and then passes
     return [each for each in diagnosed if each.messages or ON not in each.name]
 
 
 def _taken(solution: str, changed: str) -> str:
-    """Code that takes the mistaken functions from the solution with the slip, whose helpers stay its own."""
+    """Return code that replaces functions by those of the solution with the mistake, which keep their helpers."""
     changed_names, public = reached(changed), sorted(exported(ast.parse(solution)))
     wrong = [name for name in public if name in changed_names]
     wrong = wrong or [name for name in public if reached(f"{solution}\n\n{changed}")[name] & changed_names.keys()]
@@ -74,31 +74,31 @@ def _taken(solution: str, changed: str) -> str:
 
 
 def diagnosis(result: Result, mistake: Mistake, listed: Container[str]) -> Diagnosis:
-    """Return what the feedback of a wrong submission says, beside what it must say.
+    """Return the feedback on a wrong submission, and whether it names the mistake or another known one.
 
-    listed : what known mistakes say; what is found by trying says what the numbers are, and misleads nobody
+    listed : sentences of known mistakes; other sentences describe the numbers, and do not mislead
     """
     failed = [check for check in result.checks if check.outcome == "failed"]
     suspects = tuple(check.suspect for check in failed if check.suspect)
     messages = tuple(check.message for check in failed)
     expected = mistake.message if mistake.compared else ""
-    is_named = not mistake.compared or expected in suspects  # else its check says what it is
+    is_named = not mistake.compared or expected in suspects  # else the check itself explains it
     misled = any(message in listed and message != expected for message in suspects)
     return Diagnosis(result.student, expected, is_named, suspects, messages, misled)
 
 
 def faults(diagnosed: Sequence[Diagnosis]) -> int:
-    """Wrong names, and one more if too few mistakes are named."""
+    """Return the number of wrong names, plus one if too few mistakes are named."""
     return sum(each.misled for each in diagnosed) + (share(diagnosed) < ENOUGH)
 
 
 def share(diagnosed: Sequence[Diagnosis]) -> float:
-    """Of the mistakes that are named."""
+    """Return the share of mistakes that are named."""
     return sum(each.is_named for each in diagnosed) / len(diagnosed)
 
 
 def report(slug: str, diagnosed: Sequence[Diagnosis]) -> list[str]:
-    """Return the lines to print: the share, what is said of a mistake that is not named, and where a wrong one is."""
+    """Return the lines to print: the share, and the feedback on mistakes that are not named, or named wrongly."""
     count_named = sum(each.is_named for each in diagnosed)
     lines = [f"{slug}: {count_named} of {len(diagnosed)} mistakes are named ({share(diagnosed):.0%})"]
     for each in diagnosed:

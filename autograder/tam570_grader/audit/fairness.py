@@ -1,4 +1,4 @@
-"""Does a right answer ever lose points? Right submissions, with many seeds, and a bound on what was not seen."""
+"""Grade right submissions with many seeds, to count false failures and bound their rate."""
 
 import hashlib
 import json
@@ -15,13 +15,13 @@ from tam570_grader.grading.executor import TaskExecutor, in_order
 
 FIRST_SEED = 5000
 CONFIDENCE = 0.95
-Line = Json  # with FIELDS; "fails": [[check, message], ...]
+Line = Json  # has FIELDS; "fails": [[check, message], ...]
 FIELDS = {"assignment", "submission", "digest", "seed", "fails"}
 
 
 @dataclass(frozen=True)
 class Class:
-    """The right submissions of an assignment that are to be graded with one seed: what is expected is computed once."""
+    """A task: the right submissions of an assignment to grade with one seed, so that they share expected results."""
 
     course: Path
     slug: str
@@ -31,10 +31,10 @@ class Class:
 
 
 def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
-    """Return a line for each right submission and seed; what the file `keep` lacks is graded and added to it."""
+    """Return a line for each right submission and seed; reuse up-to-date lines of the file `keep`, and add new ones."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     texts = {"solution": solution, **submissions(course, slug, "alternatives")}
-    digests = {}  # of all that the outcome depends on: the submission, the checks, the grader, the utilities
+    digests = {}  # of all that the outcome depends on: submission, checks and engine
     for name, text in texts.items():
         parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())
         digests[name] = hashlib.sha256(b"\0".join(parts)).hexdigest()
@@ -66,7 +66,7 @@ def _graded(group: Class) -> list[Line]:
 
 
 def _kept(keep: Path | None) -> Iterator[Line]:
-    """Yield the lines of an earlier run, but for those that an interrupt has broken; the file is made if it is new."""
+    """Yield the lines of an earlier run, without incomplete ones; create the file if it does not exist."""
     if keep is None:
         return
     with writing(keep), keep.open("a+b") as file:
@@ -85,7 +85,7 @@ def _kept(keep: Path | None) -> Iterator[Line]:
 
 
 def _add(keep: Path | None, lines: Iterable[Line]) -> None:
-    """Write the lines down, apart from one that an interrupt has broken."""
+    """Append lines to the file, on a new line if its last one is incomplete."""
     if keep:
         with keep.open("a+b") as file:
             file.seek(max(0, file.seek(0, os.SEEK_END) - 1))
@@ -95,14 +95,14 @@ def _add(keep: Path | None, lines: Iterable[Line]) -> None:
 
 
 def upper_bound(failures: int, runs: int) -> float:
-    """Bound the rate of false fails from above, with 95 % confidence (Clopper and Pearson)."""
+    """Return an upper bound on the rate of false failures, with 95 % confidence (Clopper and Pearson)."""
     from scipy.stats import beta
 
     return 1.0 if failures == runs else float(beta.ppf(CONFIDENCE, failures + 1, runs - failures))
 
 
 def report(lines: Sequence[Line]) -> list[str]:
-    """Return the lines to print: runs, false fails and bound of each submission, and every false fail."""
+    """Return the lines to print: runs, false failures and bound of each submission, and every false failure."""
     shown = []
     for name in dict.fromkeys(line["submission"] for line in lines):
         of_it = [line for line in lines if line["submission"] == name]
@@ -113,6 +113,6 @@ def report(lines: Sequence[Line]) -> list[str]:
 
 
 def counted(lines: Sequence[Line]) -> str:
-    """Return runs, false fails and the bound, in words."""
+    """Return runs, false failures and the bound as text."""
     fails = sum(bool(line["fails"]) for line in lines)
     return f"{len(lines):>6} runs, {fails} false fails, rate below {upper_bound(fails, len(lines)):.2%}"

@@ -1,4 +1,4 @@
-"""Gradings by the thousand, to judge the grader: on several processes, each with warm workers of its own."""
+"""Grade submissions for audits, by the thousand, in the sandboxes of a worker process."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -21,7 +21,7 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 
 @dataclass(frozen=True)
 class Grading:
-    """One grading: a source, by some of the checks, with one seed."""
+    """A submission to grade by some of the checks, with one seed."""
 
     course: Path
     slug: str
@@ -29,13 +29,13 @@ class Grading:
     text: str
     seed: int
     limits: ResourceLimits = ResourceLimits()
-    checks: frozenset[str] | None = None  # None: all
-    enough: int | None = None  # failed checks after which the rest is not run
-    naming: bool = False  # look for the mistakes behind failed checks
+    checks: frozenset[str] | None = None  # names; None: all
+    enough: int | None = None  # number of failed checks after which the rest are not run
+    naming: bool = False  # diagnose failed checks
 
 
 def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
-    """Return the result of a grading, on a worker of this process."""
+    """Return the result of a grading in a sandbox of this process; prerequisites that are not chosen are ignored."""
     assignment = assignments.assignment(grading.course, grading.slug)
     if grading.checks is not None:
         chosen = tuple(check for check in assignment.checks if check.name in grading.checks)
@@ -45,9 +45,9 @@ def tried(grading: Grading, recorder: Recorder | None = None) -> Result:
 
 
 def seeds_that_fail(grading: Grading, name: str, seeds: Sequence[int]) -> set[int]:
-    """Return the seeds with which a submission fails a check, run with all of them in one sandbox.
+    """Return the seeds with which a submission fails a check; all seeds run in one sandbox process.
 
-    A function that hung or crashed fails from then on, whatever the seed: the seeds after it are left out.
+    A function that hangs or crashes fails at every later call, so the seeds after that are left out.
     """
     assignment = assignments.assignment(grading.course, grading.slug)
     check = next(check for check in assignment.checks if check.name == name)
@@ -57,7 +57,7 @@ def seeds_that_fail(grading: Grading, name: str, seeds: Sequence[int]) -> set[in
 
 
 def _with_seed(check: Check, slug: str, seed: int) -> Check:
-    """Return the check with the inputs that it draws with a seed, named by that."""
+    """Return a check that always uses this seed, without prerequisites; its name is the seed."""
 
     def run(student: Student, _: np.random.Generator) -> None:
         if student.broken:

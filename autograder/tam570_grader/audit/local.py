@@ -1,7 +1,7 @@
-"""A submission that runs in this process, whose cases are judged one by one.
+"""Run submissions in this process, and find out which cases of a check fail.
 
-A comparison that fails is noted, and the check goes on. A reply that cannot be compared is noted and replaced by the
-solution's. Nothing here is a sandbox: it is for mutants and mistakes of ours.
+A failed comparison is recorded, and the check continues. A reply that cannot be compared is recorded and replaced by
+the solution's. This is no sandbox: use it only for our own mutants and mistakes.
 """
 
 import contextlib
@@ -32,14 +32,14 @@ from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.replies import checked
 
 SEED = 570
-SLOWEST = 2.0  # s of processor time of a call
+SLOWEST = 2.0  # s of CPU time, limit of a call
 TOO_SLOW = {"error": {"kinds": ["SlowCall"], "text": "", "line": 0}}
 
 Reply = Json
 
 
 class Key(NamedTuple):
-    """A hidden case, the same for every seed: the nth of its label that a check gives to a function."""
+    """Key of a hidden case, the same for every seed: the nth case with its label that a check gives to a function."""
 
     check: str
     function: str
@@ -48,11 +48,11 @@ class Key(NamedTuple):
 
 
 class SlowCall(Exception):
-    """A call takes longer than any right one."""
+    """A call exceeds SLOWEST."""
 
 
 class Replies:
-    """What a module answers, each call computed once; functions out of reach of its slip answer as the solution."""
+    """Cached replies of a module; functions outside `reach`, which its slip cannot affect, reply as the solution."""
 
     def __init__(self, module: ModuleType, solution: "Replies | None" = None, reach: frozenset[str] = frozenset()):
         self._module, self._solution, self._reach = module, solution, reach
@@ -96,13 +96,13 @@ def _clock() -> Iterator[None]:
 
 
 class LocalStudent:
-    """A submission as a check sees it."""
+    """A submission as a check sees it, with the interface of `sandbox.student.Student`."""
 
     def __init__(self, assignment: LoadedAssignment, check: Check, solution: Replies, replies: Replies) -> None:
         self._assignment, self._check, self._solution, self._replies = assignment, check, solution, replies
         self.text = ""
         self.failed: set[Key] = set()
-        self.replaced: set[Key] = set()  # cases whose replies are the solution's
+        self.replaced: set[Key] = set()  # cases whose replies are replaced by the solution's
         self.start()
 
     def __getattr__(self, name: str) -> SandboxFunction:
@@ -111,16 +111,16 @@ class LocalStudent:
         return SandboxFunction(self, name, self._assignment.results[name])
 
     def start(self) -> None:
-        """Begin the check, or begin it again."""
+        """Reset the state for another run of the check; keep `failed` and `replaced`."""
         self.calls: list[Call] = []
         self.worked: set[str] = set()
         self.cases: dict[Key, Case] = {}
-        self.functions: set[str] = set()  # that were called
+        self.functions: set[str] = set()  # functions that were called
         self._keys: dict[tuple[str, int], Key] = {}
         self._count: Counter[tuple[str, str]] = Counter()
 
     def key(self, function: str, case: Case | None) -> Key:
-        """Return the key of a case that this check asks for; of no case, the check's own."""
+        """Return the key of a case; for None, a key of the check itself."""
         if case is None:
             return Key(self._check.name, "", "", 1)
         if (function, id(case)) not in self._keys:
@@ -141,7 +141,7 @@ class LocalStudent:
 
     def _reply(self, name: str, case: Case, mode: str, fields: Json) -> Reply:
         expected = partial(self._solution.reply, name, case, mode, fields)
-        if mode == "formula":  # one call for all points
+        if mode == "formula":  # one case for all points
             key = Key(self._check.name, name, "", 1)
         elif (key := self.key(name, case)) in self.replaced:
             return expected()
@@ -152,8 +152,8 @@ class LocalStudent:
         return reply
 
     def _is_faulty(self, name: str, case: Case, mode: str, reply: Reply, expected: Callable[[], Reply] | None) -> bool:
-        """Return whether a reply fails the check whatever its numbers are."""
-        if expected:  # where ValueError may be right
+        """Return whether a reply fails the check independently of its numbers."""
+        if expected:  # exceptions may be right
             return ("error" in reply) != ("error" in expected())
         returns = self._assignment.results[name]
         if "error" in reply or mode != "value" or not isinstance(returns, Array | Group | FreeBodyDiagram):
@@ -166,7 +166,7 @@ class LocalStudent:
 
 
 def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> set[Key]:
-    """Return the cases of a check that a submission fails; the check is run again without those that end it."""
+    """Return the cases of a check that a submission fails; repeat the check, with replies replaced, until it ends."""
     while True:
         student.start()
         context = CheckContext()
@@ -174,7 +174,7 @@ def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> s
             with check_context() as context, np.errstate(all="ignore"):
                 context.recorder = partial(_record, student, context)
                 check.run(student, generator(seed, slug, check))
-        except Exception:  # Failed, or what follows where a comparison that failed did not end the check
+        except Exception:  # Failed, or any exception after a failed comparison that did not end the check
             key = student.key(context.function, context.case)
             student.failed.add(key)
             if key not in student.replaced:
@@ -190,7 +190,7 @@ def _record(student: LocalStudent, context: CheckContext, error: float) -> None:
 
 
 def module_of(text: str) -> ModuleType:
-    """Return a module that may raise at import: then none of its functions is there."""
+    """Return the module with this source; an empty one if it raises at import."""
     module = sys.modules["_audited"] = ModuleType("_audited")  # a dataclass looks for its module there
     try:
         exec(compile(text, "<submission>", "exec"), vars(module))
@@ -201,15 +201,15 @@ def module_of(text: str) -> ModuleType:
 
 @cache
 def solution_replies(course: Path, slug: str, seed: int) -> Replies:
-    """Return the solution's replies, for all that one seed asks."""
+    """Return the solution's replies, cached for one seed."""
     return Replies(module_of(assignments.assignment(course, slug).solution))
 
 
 def students_of_checks(course: Path, slug: str) -> dict[str, LocalStudent]:
-    """Return the solution as each check has seen it, with the cases that it asked for."""
+    """Return by check the solution as a student on which the check has run, with all its cases."""
     assignment, solution = assignments.assignment(course, slug), solution_replies(course, slug, SEED)
     students = dict[str, LocalStudent]()
-    for module in assignment.needs:  # as in the sandbox, no call waits for it
+    for module in assignment.needs:  # as in the sandbox, before the first call
         importlib.import_module(module)
     for check in assignment.checks:
         student = students[check.name] = LocalStudent(assignment, check, solution, solution)
@@ -219,6 +219,6 @@ def students_of_checks(course: Path, slug: str) -> dict[str, LocalStudent]:
 
 
 def calls_of_checks(course: Path, slug: str) -> tuple[dict[str, set[str]], float]:
-    """Return the functions that each check calls, and the longest call in s, by running them on the solution."""
+    """Run the checks on the solution; return the functions that each calls, and the longest time of a call in s."""
     calls = {check: student.functions for check, student in students_of_checks(course, slug).items()}
     return calls, max(solution_replies(course, slug, SEED).seconds.values())

@@ -1,7 +1,7 @@
-"""How far the limits of simulation checks lie from a careful student's errors, and from those of wrong physics.
+"""Compare the limits of simulation checks with the errors of a careful student, and with those of wrong physics.
 
-A known mistake of numerics has right physics, integrated inaccurately: its error can be as near to a limit as one
-likes. It is told apart.
+Known mistakes of numerics are reported separately: they integrate the right physics inaccurately, so that their errors
+can be arbitrarily close to a limit.
 """
 
 from collections.abc import Mapping, Sequence
@@ -18,10 +18,10 @@ from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
 
-ENOUGH = 10  # times: below the limit for a careful student, above it for wrong physics
+ENOUGH = 10  # factor by which careful errors must be below the limit, and wrong physics above it
 SEEDS = 5
 FIRST_SEED = 700
-IMPORTED = "    from tam570.integrate import solve\n"  # in a function
+IMPORTED = "    from tam570.integrate import solve\n"  # an import in a function
 METHODS = "DOP853", "RK45", "LSODA"
 CAREFUL = """
 
@@ -35,10 +35,10 @@ def solve(rhs, t, y0, *, parameters=None, **_):
 
 @dataclass(frozen=True)
 class Margin:
-    """Of a check, in multiples of its limits: the largest careful error, and the smallest of wrong submissions.
+    """Errors of a check in multiples of its limits; `careful` is the largest of a careful student.
 
-    physics  : the smallest error of wrong physics, and which; None if none fails the check by a number
-    numerics : the same of inaccurate numerics; printed, and not judged
+    physics  : wrong physics with the smallest error, and that error; None if none fails the check by a number
+    numerics : the same for inaccurate numerics, for information only
     """
 
     check: str
@@ -52,7 +52,7 @@ class Margin:
 
 
 def _errors(grading: Grading) -> dict[str, float]:
-    """Return the largest error over its limit of each check of a grading, run alone; infinite if it fails otherwise."""
+    """Return the largest error / limit of each check of a grading, run alone; infinite if it fails otherwise."""
     assert grading.checks is not None
     by_check, shares = dict[str, float](), list[float]()
     for check in sorted(grading.checks):
@@ -60,13 +60,13 @@ def _errors(grading: Grading) -> dict[str, float]:
         result = tried(replace(grading, checks=frozenset({check})), lambda _, error: shares.append(error))
         largest = max(shares, default=0.0)
         passed = all(check_result.outcome == "passed" for check_result in result.checks)
-        if shares or not passed:  # else it passes without a comparison
+        if shares or not passed:  # a check that passes without a comparison has none
             by_check[check] = largest if passed or largest > 1 else np.inf
     return by_check
 
 
 def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list[Margin]:
-    """Return the margins of the checks that compare what an integration gave."""
+    """Return the margins of the checks that call functions which integrate."""
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     reach, (calls, _) = reached(_careful(text, METHODS[0])), calls_of_checks(course, slug)
     integrating = {name for name, reachable in reach.items() if "solve" in reachable}
@@ -77,7 +77,7 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
     sources = [(method, _careful(text, method), checks) for method in METHODS]
     order = [check.name for check in assignments.assignment(course, slug).checks]
     for name, mistake in wrong.items():
-        not_passed = order[order.index(mistake.first_fails) :]  # or it may not be, at least
+        not_passed = order[order.index(mistake.first_fails) :]  # earlier checks pass
         sources.append((name, f"{text}\n\n{mistake.text}", checks.intersection(not_passed)))
     tasks = [
         Grading(course, slug, name, source, seed, checks=checks_asked)
@@ -91,17 +91,17 @@ def margins(course: Path, slug: str, seeds: int, executor: TaskExecutor) -> list
 
 
 def _careful(text: str, method: str) -> str:
-    """Return the solution, whose `solve` is another, wherever it is imported: that of a careful student."""
+    """Return the solution with `solve` replaced by SciPy's `solve_ivp` at the tolerances of a careful student."""
     return text.replace(IMPORTED, "") + CAREFUL.format(method=method)
 
 
 def margin(
     check: str, named_errors: Sequence[tuple[str, Mapping[str, float]]], slips: Mapping[str, Mistake]
 ) -> Margin | None:
-    """Return the margin of a check; None if nothing that a careful student integrates is compared in it.
+    """Return the margin of a check; None if it compares nothing that a careful student integrates.
 
-    A check that comes after a failed one need not tell that mistake, too: what passes it there is left out, and what
-    does not pass counts only where no wrong physics fails this check in its own right.
+    A check after the first one that a mistake fails need not catch that mistake again: the mistake is ignored if it
+    passes, and counts, if it fails, only when no wrong physics fails this check first.
     """
     errors = [(name, pair[check]) for name, pair in named_errors if check in pair]
     careful = [error for name, error in errors if name in METHODS]
@@ -120,12 +120,12 @@ def _smallest(errors: Sequence[tuple[str, float]]) -> tuple[str, float] | None:
 
 
 def faults(all_margins: Sequence[Margin]) -> int:
-    """Margins that are too small."""
+    """Return the number of margins that are too small."""
     return sum(margin_of.small for margin_of in all_margins)
 
 
 def report(slug: str, all_margins: Sequence[Margin]) -> list[str]:
-    """Return the lines to print."""
+    """Return the lines to print: a summary, and the margins of each check."""
     lines = [f"{slug}: {len(all_margins)} checks of simulations, {faults(all_margins)} margins below {ENOUGH}"]
     for each in all_margins:
         text = f"careful {1 / each.careful:.1e} below" if each.careful else "careful exact"

@@ -1,13 +1,13 @@
-"""Wrong solutions by the dozen, one slip in the syntax tree of a reference solution each; some are no mistakes.
+"""Generate mutants of a reference solution, each with one slip in its syntax tree; read the list of equivalent ones.
 
-These are listed, each with its proof, in autograder/checks/<slug>/equivalent.toml: a table for each function, a
-line for each slip in it, as the audit prints it of a survivor:
+Equivalent mutants are no mistakes. autograder/checks/<slug>/equivalent.toml lists them with proofs: a table for each
+function, and a line for each slip, as the audit prints it for a survivor:
 
     [rotate]
     "np.dot(n, r) -> np.dot(r, n)" = "the dot product is symmetric"
 
-Of slips that read alike in a function the second is "... #2". No line numbers: a line is good as long as the
-expression is there.
+If several slips in a function have the same text, the second is "... #2". There are no line numbers, so that a line is
+valid as long as the expression exists.
 """
 
 import ast
@@ -23,7 +23,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mutants import changed_expressions, replaced
 from tam570_grader.errors import UsageError
 
-Slip = tuple[str, str]  # function, what was done in it
+Slip = tuple[str, str]  # function, change
 
 
 @dataclass(frozen=True)
@@ -36,19 +36,19 @@ class SolutionMutant:
     line: int
     was: str
     now: str
-    nth: int  # of the slips in the function that read alike, from 1
+    nth: int  # number among the slips in the function with the same text, from 1
     text: str
-    before: str  # the line
-    after: str
+    before: str  # the line in the solution
+    after: str  # the line in the mutant
 
     @property
     def change(self) -> str:
-        """What was done in the function; it reads the same as long as the expression does."""
+        """The change in the function as text, the key in equivalent.toml."""
         return f"{self.was} -> {self.now}" + (f" #{self.nth}" if self.nth > 1 else "")
 
     @property
     def name(self) -> str:
-        """A short name among all mutants."""
+        """A short name that is unique among all mutants."""
         return f"{self.slug[:4]}.{self.function}.{hashlib.sha256(self.change.encode()).hexdigest()[:8]}"
 
 
@@ -70,11 +70,11 @@ def mutants(slug: str, source: str) -> list[SolutionMutant]:
 
 
 def equivalents(course: Path, slug: str) -> dict[Slip, str]:
-    """Return the proofs by slip; UsageError if the file holds anything else."""
+    """Return the proofs of equivalence by slip; raise UsageError if the file is invalid."""
     path = assignments.checks_folder(course, slug) / "equivalent.toml"
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    except ValueError as error:  # no TOML, no UTF-8
+    except ValueError as error:  # not TOML, or not UTF-8
         raise UsageError(f"{path} cannot be read: {error}") from None
     for function, slips in tables.items():
         if not isinstance(slips, dict) or not all(isinstance(proof, str) for proof in slips.values()):
@@ -83,12 +83,12 @@ def equivalents(course: Path, slug: str) -> dict[Slip, str]:
 
 
 def entry(mutant: SolutionMutant) -> str:
-    """Return the line that lists a mutant, but for the proof."""
+    """Return the lines that list a mutant in equivalent.toml, without the proof."""
     return f'[{mutant.function}]\n{json.dumps(mutant.change, ensure_ascii=False)} = ""'
 
 
 def idle(listed: Mapping[Slip, str], mutants: Container[Slip], killed: Container[Slip]) -> dict[Slip, str]:
-    """Return what is wrong with lines that list in vain."""
+    """Return the listed slips that must not be listed, each with the reason."""
     faults = {}
     for change, proof in listed.items():
         if change not in mutants:

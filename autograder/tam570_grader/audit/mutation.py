@@ -1,4 +1,4 @@
-"""What becomes of the mutants of the solutions: killed, equivalent, or a hole in the checks."""
+"""Grade mutants of the solutions: each is killed, is equivalent, or survives because of a gap in the checks."""
 
 from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence, Set
@@ -15,24 +15,24 @@ from tam570_grader.grading.executor import TaskExecutor, in_order
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-QUICK = 10  # mutants of an assignment in the quick form
-SLOWER = 10  # times as long as the solution's longest call: then a call of a mutant is cut
-SHORTEST = 0.25  # s; below that the clock of a busy machine says nothing
-CALLS = 12  # such calls are all that a mutant has
+QUICK = 10  # about this many mutants of an assignment with --quick
+SLOWER = 10  # time limit of a mutant's call, in multiples of the solution's longest call
+SHORTEST = 0.25  # s, least time limit, as times on a busy machine are uncertain
+CALLS = 12  # CPU time of a mutant in multiples of that limit
 KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive", "crash"
 
 
 @dataclass(frozen=True)
 class Fates:
-    """The mutants of an assignment, their fates by name, the checks that failed, and the seeds that miss a mutant."""
+    """The graded mutants of an assignment; mappings are by name of the mutant, except `in_vain`."""
 
     slug: str
     chosen: Sequence[SolutionMutant]
     fate: Mapping[str, str]
-    failed: Mapping[str, Sequence[str]]
+    failed: Mapping[str, Sequence[str]]  # checks that failed
     checks: Sequence[str]
-    in_vain: Mapping[Slip, str]
-    missed: Mapping[str, Sequence[int]]
+    in_vain: Mapping[Slip, str]  # listed slips that must not be listed, with the reason
+    missed: Mapping[str, Sequence[int]]  # seeds with which the mutant has full points
 
     @property
     def survivors(self) -> list[SolutionMutant]:
@@ -40,7 +40,7 @@ class Fates:
 
     @property
     def crashing(self) -> list[SolutionMutant]:
-        """Those on which a check raised: they lose no points by it, the class loses a grade."""
+        """Mutants on which the grader failed, so that they have no score."""
         return [mutant for mutant in self.chosen if self.fate[mutant.name] == CRASHED]
 
     @property
@@ -51,9 +51,9 @@ class Fates:
 def fates(
     course: Path, slug: str, executor: TaskExecutor, quick: bool, functions: Sequence[str], seeds: int = 1
 ) -> Fates:
-    """Grade the mutants of an assignment: all, or a fixed sample; of all functions, or of some.
+    """Grade the mutants of an assignment, or a fixed sample if `quick`; only of `functions` if there are any.
 
-    A mutant that survives with one of the seeds survives; what survives with the first is not tried with others.
+    A mutant survives if it survives with any seed; if it does with the first, the others are not tried.
     """
     text = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
     all_mutants, listed = mutants(slug, text), equivalents(course, slug)
@@ -61,7 +61,7 @@ def fates(
     chosen = wanted[:: max(1, len(wanted) // QUICK)] if quick else wanted
     calls, longest = calls_of_checks(course, slug)
     call = max(SHORTEST, SLOWER * longest)
-    # a second failure tells that the first check is not needed
+    # two failures are enough to see that no single check is needed
     grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
     reachable = reached(text)
     exported = set().union(*calls.values())
@@ -84,7 +84,7 @@ def fates(
     killed = {change for name, change in slips.items() if fate[name] == KILLED}
     vain = idle(listed, {(mutant.function, mutant.change) for mutant in all_mutants}, killed)
     failed = {name: _failed(runs[0]) for name, runs in results.items() if runs}
-    missed = {  # the seeds with which a mutant has full points
+    missed = {  # seeds with full points
         name: sorted({run.seed for run in runs if run.score == run.max_score}) for name, runs in runs_of.items()
     }
     return Fates(slug, chosen, fate, failed, list(calls), vain, missed)
@@ -107,23 +107,23 @@ exec({slipped!r}, _slipped)
 
 
 def alone(solution: str, mutant: SolutionMutant, calls: Mapping[str, set[str]]) -> str:
-    """Return a module whose slip is in one exported function alone; what other functions call is right.
+    """Return a module in which only one exported function has the slip; other functions call the right one.
 
-    A check of the others would else catch the slip, and a hole in the checks of this one stay unseen.
+    Otherwise their checks might catch the slip, and hide a gap in the checks of this function.
     """
     exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
     return ALONE.format(solution=solution, slipped=mutant.text, exports=exports, function=mutant.function)
 
 
 def _is_shared(function: str, exported: Set[str], reach: Set[str]) -> bool:
-    """Return whether it is exported, and other functions may call it."""
+    """Return whether a function is exported and other functions may call it."""
     return function in exported and len(reach) > 1
 
 
 def _with_other_seeds(task: tuple[Grading, Sequence[str], int]) -> list[Result]:
-    """Return the results of a mutant with the seeds after the first, but for those that its first failed check fails.
+    """Return the results of a mutant with the other seeds, except those with which its first failed check fails again.
 
-    A mutant that fails a check alone loses points in a full grading: each check draws from its own generator.
+    With these, it would also lose points in a full grading, because each check has its own random generator.
     """
     grading, failed, seeds = task
     others = range(SEED + 1, SEED + seeds)
@@ -140,17 +140,17 @@ def _failed(result: Result) -> list[str]:
 
 
 def within_reach(reachable: Mapping[str, set[str]], function: str) -> frozenset[str]:
-    """Return the functions that may come to call one, and itself."""
+    """Return the functions that may call `function`, directly or not, and itself."""
     return frozenset(name for name, names in reachable.items() if function in names)
 
 
 def calling(calls: Mapping[str, set[str]], functions: Set[str]) -> frozenset[str]:
-    """Return the checks that call one of these functions themselves."""
+    """Return the checks that call one of these functions directly."""
     return frozenset(check for check, names in calls.items() if names & functions)
 
 
 def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
-    """For each check the number of mutants that it is the first to catch, and that it alone catches."""
+    """Return by check the number of mutants that it catches first, and of those that only it catches."""
     failed = [names for names in fates_of_all.failed.values() if names]
     first = Counter(names[0] for names in failed)
     alone = Counter(names[0] for names in failed if len(names) == 1)
@@ -158,7 +158,7 @@ def catches(fates_of_all: Fates) -> dict[str, tuple[int, int]]:
 
 
 def report(fates_of_all: Fates) -> list[str]:
-    """Return the lines to print: counts by function and check, the checks that no mutant needs, and the faults."""
+    """Return the lines to print: counts by function and check, checks that no mutant needs, and faults."""
     counts = Counter(fates_of_all.fate.values())
     summary = [counted(len(fates_of_all.chosen), "mutant"), *(f"{counts[fate]} {fate}" for fate in FATES)]
     lines = [f"{fates_of_all.slug}: {', '.join(summary)}"]
@@ -180,7 +180,7 @@ def report(fates_of_all: Fates) -> list[str]:
 
 
 def _shown(mutant: SolutionMutant, seeds: Sequence[int]) -> list[str]:
-    """Return where a survivor is, its line as it was and is, and the line that would list it."""
+    """Return lines on a survivor: its place, the original and the changed line, and the entry that would list it."""
     where = f"solutions/{mutant.slug}.py:{mutant.line} in {mutant.function}"
     return [
         f"  SURVIVES {where}: {mutant.operator}; with seed {', '.join(map(str, seeds))}",
