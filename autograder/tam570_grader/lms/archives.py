@@ -77,8 +77,11 @@ def members(source: Path) -> Iterator[File]:
         ) from None
 
 
-def unpack_zip(packed: File, quota: Quota) -> list[File]:
-    """Return the work in a student's zip file; if it cannot be read, a refused file with an empty path."""
+def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File]:
+    """Return the work in a student's zip file, below its path; where it cannot be read, the file itself says why.
+
+    nested : it was in another zip file, as of a student who packs what `tam570 handin` made; a third is not opened
+    """
     try:
         end = packed.data.rfind(b"PK\5\6")  # gives the size of the directory, which may be too slow to read
         if end >= 0 and int.from_bytes(packed.data[end + 12 : end + 16], "little") > MOST_INSIDE * (
@@ -87,13 +90,26 @@ def unpack_zip(packed: File, quota: Quota) -> list[File]:
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
             infos = [
-                file for file in _files(archive, MOST_INSIDE, "it") if form(file.filename) or is_beside(file.filename)
+                file
+                for file in _files(archive, MOST_INSIDE, "it")
+                if form(file.filename) or is_beside(file.filename) or is_zip(file.filename)
             ]
             if full := quota.takes(infos):
                 raise UsageError(full)
-            return [replace(file, path=printable(file.path)) for file in map(partial(_member, archive), infos)]
+            members = map(partial(_member, archive), infos)
+            held = [replace(file, path=f"{packed.path}/{printable(file.path)}") for file in members]
     except Exception as error:  # zipfile and its decompressors raise many types
-        return [File("", b"", f"it cannot be unpacked: {shortened(str(error))}")]
+        return [File(packed.path, b"", f"it cannot be unpacked: {shortened(str(error))}")]
+    work = list[File]()
+    for file in held:
+        is_opened = is_zip(file.path) and not (file.refused or nested)
+        work += unpack_zip(file, quota, nested=True) if is_opened else [file]
+    return work
+
+
+def is_zip(name: str) -> bool:
+    """Return whether a file is a zip file, by its name."""
+    return name.lower().endswith(".zip")
 
 
 def is_beside(name: str) -> bool:

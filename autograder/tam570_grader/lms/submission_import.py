@@ -9,13 +9,14 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
-from tam570_grader.lms.archives import METADATA, File, Quota, is_beside, members, unpack_zip
+from tam570_grader.lms.archives import METADATA, File, Quota, is_beside, is_zip, members, unpack_zip
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, listed
 from tam570_grader.results.tables import table, write_table, written
 
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
+EMPTY = "it is empty: ask the student to upload it again"
 NAMELESS = "cannot tell the assignment: give it with --assignment"
 OTHER = "another file counts: see which one, and name that after the assignment"
 ELSEWHERE = "it is named after {other}, and this download is of {slug}: ask which one it is"
@@ -118,16 +119,13 @@ def _unpacked(handed: Sequence[Handed]) -> list[Handed]:
     for upload in handed:
         file, quota = upload.file, quotas[upload.who]
         empty = replace(upload, file=replace(file, data=b""))
-        if file.refused or not upload.title.lower().endswith(".zip"):
+        if file.refused or not is_zip(upload.title):
             is_kept = bool(form(upload.title)) or is_beside(upload.title)
             full = quota.takes([file]) if is_kept else ""
             unpacked.append(replace(upload, file=File(file.path, b"", full)) if full else upload if is_kept else empty)
             continue
-        held = unpack_zip(file, quota)
-        for member in held:  # path below the zip file's, whose name `lms --pages` needs
-            path = f"{file.path}/{member.path}".rstrip("/")
-            unpacked.append(replace(upload, file=replace(member, path=path), title=member.path.rsplit("/", 1)[-1]))
-        unpacked += [] if held else [empty]
+        held = unpack_zip(file, quota)  # with paths below the zip file's, whose name `lms --pages` needs
+        unpacked += [replace(upload, file=member, title=member.path.rsplit("/", 1)[-1]) for member in held] or [empty]
     return unpacked
 
 
@@ -148,7 +146,9 @@ def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_g
         return "", NAMELESS
     if other not in (None, slug):
         return "", ELSEWHERE.format(other=other, slug=slug)
-    return ("", why_not) if why_not else (f"{slug}{ending}", "")
+    if why_not := why_not or ("" if handed.file.data.strip() else EMPTY):
+        return "", why_not
+    return f"{slug}{ending}", ""
 
 
 def _with_work(rows: Sequence[Taken]) -> list[Taken]:

@@ -48,7 +48,7 @@ def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
         "adamsann_17_500_hw08_axis_angle.py": "old",
         "adamsann_17_600_hw08_axis_angle-2.py": "new",
         "brownbo_LATE_18_550_axis_angle.py": "late",
-        "chency_19_560_hw08.zip": packed({"mine/hw08.py": "packed", "__MACOSX/._hw08.py": "no"}),
+        "chency_19_560_hw08.zip": packed({"in.zip": packed({"mine/hw08.py": "packed"}), "__MACOSX/._hw08.py": "no"}),
     }
     code, said = download("canvas", files, ROSTER)
     assert code == 0 and desk.collected == {"aadams": "new", "bbrown": "late", "cchen": "packed"}
@@ -98,12 +98,13 @@ SPOILT = [
     [
         ("chency_19_9_work.py", "x", "--assignment"),
         ("chency_19_9_hw08.docx", "x", "neither a module"),
+        ("chency_19_9_hw08.py", "", "it is empty"),
         ("chency_LATE_19_link.html", "x", "of cchen is not collected: neither a module"),
         ("what is this.py", "x", "is not named as canvas names submissions"),
         ("drop_77_9_hw08.py", "x", "77 (drop) is on no row of the roster"),
         ("chency_19_9_hw08.py", "x" * (LARGEST + 1), "larger than 10 MiB"),
         *(("chency_19_9_hw08.zip", data, "it cannot be unpacked") for data in (b"no zip", *SPOILT)),
-        ("chency_19_9_hw08.zip", packed({"../../hw08.py": "x"}), "leads out"),
+        ("chency_19_9_hw08.zip", packed({"a.zip": packed({"../hw08.py": "x"})}), "leads out"),
         ("chency_19_9_hw08.zip", packed({f"{n:06}": "" for n in range(1_001)}), "more than 1000 files"),
         (LINK, "/etc/passwd", "it is a link"),
     ],

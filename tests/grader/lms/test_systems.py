@@ -153,7 +153,7 @@ def test_who_is_left_out_is_named_and_the_code_is_1(desk, upload, system):
 def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
     """Every file has the date of the download: a worksheet or a log knows better; without one nobody is late."""
     desk.write("log.csv", LOG)
-    assert download("moodle", {f"{moodle_name(n)}/hw08.py": "" for n in range(2)}, roster, *more)[0] == 0
+    assert download("moodle", {f"{moodle_name(n)}/hw08.py": "x" for n in range(2)}, roster, *more)[0] == 0
     desk.trust(LATE)
     desk.write_results(dict.fromkeys((("garcia", HW08), ("obrien", HW08)), 10.0))
     assert desk("points", "results", "--collected", "collected.csv")[0] == 0
