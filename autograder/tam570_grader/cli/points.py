@@ -3,6 +3,7 @@
 import argparse
 import contextlib
 import difflib
+import shlex
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from tam570_grader.course import course_config, late_policy
 from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, WORDS, Entry, ManualAdjustments
+from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, WORDS, Entry
 from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import write_table
 
@@ -59,7 +60,7 @@ def _points(arguments: argparse.Namespace) -> int:
         if not arguments.table and (arguments.template or not (policies or arguments.collected)):
             raise UsageError("name the table, too: tam570-grader points DIR CSV")
         if arguments.template:
-            return _write_template(arguments.table, graded, rubrics, manual_points.read(folder))
+            return _write_template(folder, arguments.table, graded, rubrics)
         new = list(_checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
     with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # locked: no other command adds rows
@@ -126,10 +127,11 @@ def _wrong(entry: Entry, students: set[str], parts: Rubric, checks: Checks) -> s
     return ""
 
 
-def _write_template(path: Path, results: Results, rubrics: Mapping[str, Rubric], adjustments: ManualAdjustments) -> int:
+def _write_template(folder: Path, path: Path, results: Results, rubrics: Mapping[str, Rubric]) -> int:
     """Write a table with a row for each student and part, with points so far and claims; return the exit code."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
+    adjustments = manual_points.read(folder)
     rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # claims are for the reader only
     for student, slug in results:
         for part, rubric in rubrics.get(slug, {}).items():
@@ -139,5 +141,5 @@ def _write_template(path: Path, results: Results, rubrics: Mapping[str, Rubric],
             rows.append((student, slug, part, points, f"{rubric.points:g}", comment, rubric.line))
     with writing(path):
         write_table(path, rows)
-    say(f"{path}: fill in the points, then: tam570-grader points DIR {path}")
+    say(f"{path}: fill in the points, then: tam570-grader points {shlex.join([str(folder), str(path)])}")
     return 0

@@ -240,7 +240,7 @@ def rows_of(path: Path) -> Iterator[tuple[int, Entry]]:
 
 def _number(text: str, where: str) -> float | None:
     try:
-        number = float(text) if text else None
+        number = float(text.replace(",", ".")) if text else None  # 1,5 of spreadsheets in other languages
     except ValueError:
         number = math.nan
     if number is not None and not math.isfinite(number):

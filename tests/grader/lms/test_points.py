@@ -1,5 +1,6 @@
 """Points by hand: every table and page has them, grading again keeps them, and a wrong row changes nothing."""
 
+import shlex
 import shutil
 
 import pytest
@@ -104,18 +105,18 @@ def test_a_row_that_somebody_else_adds_meanwhile_stays(results, monkeypatch):
 
 
 def test_joined_results_bring_their_points(results, tmp_path):
-    points(results, "ann,hw07,c,1,", "ben,hw07,c,1,")
+    points(results, "ann,hw07,c,1,", 'ben,hw07,c,"1,5",')
     command = ["grade", str(tmp_path / "submitted"), "--out", str(tmp_path / "all"), "--join"]
     assert cli.main([*command, str(results / "results.jsonl")]) == 0
     points(tmp_path / "all", "ann,hw07,c,2,")
     assert cli.main([*command, str(results)]) == 0
-    assert scores(tmp_path / "all") == {"ann": ("2.0", "12.0"), "ben": ("1.0", "12.0")}
+    assert scores(tmp_path / "all") == {"ann": ("2.0", "12.0"), "ben": ("1.5", "12.0")}
 
 
-def test_the_template_has_a_row_for_each_part_with_what_is_known(results):
+def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys):
     points(results, "ann,hw07,c,1.5,so so")
     fill = ["points", str(results), str(results / "fill.csv")]
-    assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0
+    assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0 and shlex.join(fill) in capsys.readouterr().out
     filled = [(row["student"], row["item"], row["points"], row["of"]) for row in rows(results / "fill.csv")]
     assert filled == [("ann", "c", "1.5", "2"), ("ben", "c", "", "2")]
     assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # as it is, it changes nothing
