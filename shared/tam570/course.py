@@ -100,8 +100,8 @@ def stubs(source: str | bytes) -> dict[str, Stub]:
     """Return the top-level functions of a module by name. Raise SyntaxError if the source is not Python."""
     functions = {}
     for node in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
-        body = node.body[1:] if ast.get_docstring(node) else node.body
-        empty = len(body) == 1 and isinstance(body[0], ast.Raise) and "NotImplementedError" in ast.dump(body[0])
+        last, returns = node.body[-1], any(isinstance(inner, ast.Return) for inner in ast.walk(node))
+        empty = not returns and isinstance(last, ast.Raise) and "NotImplementedError" in ast.dump(last)
         signature = node.args
         positions = tuple(argument.arg for argument in signature.posonlyargs + signature.args)
         keywords = tuple(argument.arg for argument in signature.kwonlyargs)

@@ -153,6 +153,7 @@ def test_in_the_folder_a_function_is_enough_for_a_hint(hw08, monkeypatch, desk, 
 
 def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
     file = hw08(None)
+    file.write_text(file.read_text().replace("raise Not", "n = axis\n    raise Not"))  # a function that is begun
     (file.parent / "plot.png").write_bytes(b"png")
     code, said = tam570("handin", "hw08")
     packed = zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist()
