@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve, solve_rotation
 from tam570.invariants import rotation_defect
+from tam570.rotations import log
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, frame_times
@@ -88,8 +89,9 @@ def _drift(times: Array, start: Sequence[float], parameters: Parameters) -> tupl
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the scene of one body, solved in two ways at a loose tolerance."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    R0, omega0 = np.reshape(start[:9], (3, 3)), np.array(start[9:])
+    log(R0)  # ValueError if it is not a rotation
     states, strain = _drift(times, start, parameters)
-    R0, omega0 = states[0, :9].reshape(3, 3), states[0, 9:]
 
     def acceleration(t: float, omega: Array) -> list[float]:
         return [-x / m for m, x in zip(moments, _cross(omega, moments * omega), strict=True)]

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from tam570.arguments import numbers, positives, sequence
 from tam570.integrate import solve
+from tam570.rotations import log
 from tam570.show.drawing import brick
 from tam570.show.plots import drift_caption, value_plot, values
 from tam570.show.scene import Array, Panel, Scene, arrow, frame_times
@@ -66,6 +67,7 @@ def _turning(state: Sequence[float]) -> list[float]:
 def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scene:
     """Return the scene of one start, by the right equations and by the wrong ones."""
     times, moments = frame_times(seconds), np.array(positives(3, inertia=parameters["inertia"]))
+    log(np.reshape(start[:9], (3, 3)))  # ValueError if it is not a rotation
     both = {
         name: solve(equations, times, start, parameters=parameters)
         for name, equations in {"Euler": rates, "wrong Lagrange": wrong_rates}.items()

@@ -122,10 +122,9 @@ def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores)
         (["hw08.py", "--root", "."], "does not hold a course"),
     ],
 )
-def test_bad_usage_is_said_and_exits_2(tmp_path, monkeypatch, course, capsys, arguments, words):
-    monkeypatch.chdir(tmp_path)
+def test_bad_usage_is_said_and_exits_2(here, course, capsys, arguments, words):
     for name in ("x.py", "hw08.py", "hw08.txt"):
-        (tmp_path / name).write_text(NOTHING)
+        (here / name).write_text(NOTHING)
     assert cli.main(["--root", str(course), "grade", *arguments]) == 2
     assert words in capsys.readouterr().err
 

@@ -153,9 +153,8 @@ def test_rounding_does_not_look_wrong():
     assert not drift_caption(1 + 1e-12 * np.sin(99 * frame_times(1.0)))[1]
 
 
-def test_a_file_elsewhere_and_one_that_is_not_there(edited, tmp_path, monkeypatch, capsys):
+def test_a_file_elsewhere_and_one_that_is_not_there(edited, here, capsys):
     edited("hw05_constrained_pendulum", "")
-    monkeypatch.chdir(tmp_path)
     assert cli.main(["show", "hw05", "--save", "swing.html"]) == 0
     assert cli.main(["show", "hw07"]) == cli.main(["show", "hw05", "no.py"]) == cli.main(["show", "hw99"]) == 2
     assert cli.main(["show", "hw05", "--save", "swing.txt"]) == 1
@@ -226,17 +225,16 @@ def test_a_video_is_written_and_without_ffmpeg_refused_with_another_way(short, t
 
 
 @pytest.mark.parametrize("screen", [True, False])
-def test_show_opens_the_page_in_a_browser_where_there_is_a_screen(course, tmp_path, monkeypatch, capsys, screen):
+def test_show_opens_the_page_in_a_browser_where_there_is_a_screen(course, here, monkeypatch, capsys, screen):
     """It stays in the folder."""
     opened = []
-    monkeypatch.chdir(tmp_path)
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
     for name in ("BROWSER", "DISPLAY", "WAYLAND_DISPLAY"):
         monkeypatch.delenv(name, raising=False)
     if screen:
         monkeypatch.setenv("BROWSER", "some")
     assert cli.main(["show", "hw05", str(course / "solutions" / "hw05_constrained_pendulum.py")]) == 0
-    page = tmp_path / "hw05_constrained_pendulum.html"
+    page = here / "hw05_constrained_pendulum.html"
     assert opened == [page.as_uri()] * screen and 'id="scrub"' in page.read_text()
     assert page.name in capsys.readouterr().out
 
