@@ -76,4 +76,4 @@ def _empty(work: dict[str, Path], slug: str) -> Iterator[str]:
     rubric = folder(slug) / "rubric.toml"
     if rubric.exists() and set(work) == {f"{slug}.py"}:
         parts = ", ".join(tomllib.loads(rubric.read_text(encoding="utf-8"))["parts"])
-        yield f"no drawing, plot or words beside your code; your teacher grades by hand: part {parts}"
+        yield f"Your teacher grades by hand: part {parts}; you hand in no drawing, plot or words for it"

@@ -163,12 +163,22 @@ def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
     assert "Python cannot read hw08_axis_angle.py" in tam570("handin", "hw08")[1]
 
 
+def test_handin_names_the_parts_that_a_teacher_grades_where_nothing_is_in_for_them(desk, tam570):
+    assert cli.main(["start", "hw09"]) == 0
+    remark, folder = "Your teacher grades by hand: part ", desk / "hw09_book"
+    assert remark in tam570("handin", "hw09")[1]
+    (folder / "sketch.png").write_bytes(b"png")
+    assert remark not in tam570("handin", "hw09")[1]
+
+
 def test_handin_leaves_an_empty_module_out_where_the_notebook_has_the_work(hw08, solution_text, tam570):
     file = hw08(None)
     cell = {"cell_type": "code", "source": solution_text("hw08_axis_angle"), "metadata": {}, "outputs": []}
     file.with_suffix(".ipynb").write_text(json.dumps({"cells": [cell], "nbformat": 4}))
     assert tam570("handin", "hw08")[0] == 0
     assert zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist() == ["hw08_axis_angle.ipynb"]
+    file.write_text("def skew(v):\n    return v\n")
+    assert "not written yet: rotation_matrix, rotate" in tam570("handin", "hw08")[1]
 
 
 def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):

@@ -3,7 +3,7 @@
 import pytest
 from parameters import first
 
-HW08, HW13 = "hw08_axis_angle", "hw13_rolling_cylinder"
+HW08, HW10, HW13 = "hw08_axis_angle", "hw10_free_rigid_body", "hw13_rolling_cylinder"
 NAMED = [  # a function of an assignment, what it returns instead, and what is said of it
     (HW08, "rotation_matrix", "kept(axis, angle).T", "Your result of rotation_matrix is transposed."),
     (HW08, "rotation_matrix", "kept(axis, np.radians(angle))", "In rotation_matrix, angle is read as degrees."),
@@ -67,3 +67,15 @@ def test_loose_tolerances_are_named(desk, tam570, in_process, solution_text, abo
     (desk / "hw01.py").write_text(text)
     said = " ".join(tam570("check", "hw01.py")[1].split())
     assert "It would pass with the tolerances rtol=1e-9, atol=1e-9 in simulate." in said
+
+
+def test_what_leaves_nothing_but_zeros_is_no_mistake(desk, tam570, in_process, solution_text):
+    """With omega reversed, which changes no other result, this one is zero, too."""
+    wrong = "\n\nkept = euler_equations\n\n\ndef euler_equations(omega, *, inertia):\n"
+    wrong += "    return kept(omega, inertia=inertia) + (np.count_nonzero(omega) == 1 and omega[0] > 0)\n"
+    (desk / f"{HW10}.py").write_text(solution_text(HW10) + wrong)
+    test = "assert not hw.euler_equations(np.array([2.0, 0.0, 0.0]), inertia=np.array([1.0, 2.0, 3.0])).any()"
+    mine = f"import numpy as np\nimport {HW10} as hw\n\n\ndef test_mine():\n    {test}\n"
+    (desk / f"test_{HW10}.py").write_text(mine)
+    code, said = tam570("check", f"{HW10}.py", "euler_equations")
+    assert code == 1 and "match this mistake" not in said
