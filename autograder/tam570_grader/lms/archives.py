@@ -21,7 +21,7 @@ METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescop
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes, least size of a file's entry in a zip file's directory
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # decompressors of other methods have no size limit
-JUNK = ("__MACOSX", ".DS_Store")  # files that operating systems add
+JUNK = ("__MACOSX", ".DS_Store", "index.html")  # of systems, and of Brightspace, beside the files
 
 
 @dataclass(frozen=True)
