@@ -192,12 +192,11 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     return motions
 
 
-def check_conserved(  # noqa: PLR0913  as `compare`
+def check_conserved(
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
     *invariants: Invariant,
-    columns: Sequence[Column] = (),
     coarsely: float,
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
@@ -207,7 +206,7 @@ def check_conserved(  # noqa: PLR0913  as `compare`
     coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
     """
     motions = compare_trajectory(
-        function, reference, cases, columns, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
+        function, reference, cases, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
     )
     compare_invariants(function, motions, *invariants, partial=partial, hint=hint)
 
