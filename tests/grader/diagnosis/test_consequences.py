@@ -221,15 +221,6 @@ def simulate(t, x, v, *, curvature, gravity):
     from tam570.integrate import solve
     return solve(lambda t, state: (state[1], _rate(*state, curvature, {factor} * gravity)), t, (x, v), rtol=1e-9)
 """
-
-
-@pytest.mark.parametrize("factor", first(1, [1, 2]))
-def test_a_motion_follows_from_the_students_own_equation(checked, factor):
-    lines = ("v**2 / 2 - mass", "v**2 - mass")
-    actual = following(checked("hw12_bead_on_wire", lines, more=BY_EQUATION.format(factor=factor)))
-    assert (("simulate", "lagrange_equation") in actual) == (factor == 1)
-
-
 PUT_BACK = """
 
 def simulate(t, state, *, mass, length, gravity):
@@ -244,18 +235,26 @@ def simulate(t, state, *, mass, length, gravity):
 """
 
 
+HALF_MORE = "force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])"
+OWN_MOTIONS = [
+    ("hw12_bead_on_wire", ("v**2 / 2 - mass", "v**2 - mass"), BY_EQUATION, "lagrange_equation"),
+    ("hw05_constrained_pendulum", HALF_MORE, PUT_BACK, "acceleration"),
+]
+
+
+@pytest.mark.parametrize(("slug", "line", "more", "source"), OWN_MOTIONS)
 @pytest.mark.parametrize("factor", first(1, [1, 2]))
-def test_a_motion_that_steps_back_onto_a_constraint_follows_from_its_own_accelerations(checked, factor):
-    lines = ("force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])")
-    actual = following(checked("hw05_constrained_pendulum", lines, more=PUT_BACK.format(factor=factor)))
-    assert (("simulate", "acceleration") in actual) == (factor == 1)
+def test_a_motion_follows_from_the_students_own_rates_also_put_back_onto_a_constraint(
+    checked, slug, line, more, source, factor
+):
+    actual = following(checked(slug, line, more=more.format(factor=factor)))
+    assert (("simulate", source) in actual) == (factor == 1)
 
 
 def test_a_motion_that_ends_its_process_follows_from_the_accelerations_with_which_it_sets_off(checked):
-    lines = ("force / mass - np.array([0.0, gravity])", "force / mass - np.array([0.0, 1.5 * gravity])")
     start = "    rows = ["
     more = PUT_BACK.format(factor=1).replace(start, f"    if t[-1] - t[0] > 0.01:\n        os._exit(1)\n{start}")
-    actual = checked("hw05_constrained_pendulum", lines, more=f"\nimport os\n{more}")
+    actual = checked("hw05_constrained_pendulum", HALF_MORE, more=f"\nimport os\n{more}")
     assert ("simulate", "acceleration") in following(actual)
     assert actual["it_stays_on_the_circle"].points > 0  # though the function was given up before
 
