@@ -129,7 +129,7 @@ def _floats(name: str, value: ArrayLike) -> NDArray[np.float64]:
 def divisors(values: NDArray[np.generic]) -> None:
     """Raise ZeroDivisionError if a value is zero, as Python's division does and NumPy's does not; symbols pass.
 
-    A function of its own, because a use of `dtype` in a traced function ends the trace.
+    A separate function, because a use of `dtype` in a traced function ends the trace.
     """
     if values.dtype != object and not values.all():
         raise ZeroDivisionError

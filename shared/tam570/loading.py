@@ -1,4 +1,4 @@
-"""Run a student's file, a module or a notebook, as the grader will: by itself, with the grader's libraries only."""
+"""Run a student's file, a module or a notebook, as the grader will: separately, with the grader's libraries only."""
 
 import builtins
 import linecache

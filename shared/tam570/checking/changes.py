@@ -43,7 +43,7 @@ def calls(tests: str, module: str) -> dict[str, set[str]]:
 def by_parameters(names: Mapping[str, set[str]], tests: Iterable[str]) -> dict[str, set[str]]:
     """Return the functions that each of these tests calls, by the test's name with parameters.
 
-    Of a test that may call any function, a parameter that is a function's name tells which.
+    If a test may call any function, those that its parameters name are meant.
     """
     used = {}
     for test in tests:

@@ -20,7 +20,7 @@ PATIENCE = 6  # times its limit: how long a call may last on a busy machine
 ASLEEP = 0.02  # of a core: a call that lasts longer than its limit and uses less is asleep
 GRACE = 5.0  # s in which an interrupted call must end
 GLANCE = 0.05  # s between checks of the clock
-STUCK = CALL + GRACE  # s after which a process ends if no thread can run, as in C code that never returns
+STUCK = CALL + GRACE  # s after which a process ends if no other thread can run, as in C code that never returns
 HUNG = 97  # exit code of a process that could not be interrupted
 
 

@@ -35,7 +35,7 @@ Remembered = Mapping[str, tuple[str, str]]  # by test: a digest of all that its 
 
 @dataclass(frozen=True)
 class TestModule:
-    """A module of tests: the released one, that of the examples, or the student's own beside the work."""
+    """A module of tests: the released one, that of the examples, or the student's beside the work."""
 
     path: Path
     text: str

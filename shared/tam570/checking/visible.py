@@ -152,7 +152,7 @@ def _needs_pytest(fixture: str) -> None:
 
 
 class _Telling(ast.NodeTransformer):
-    """Replaces asserts and calls of assert_allclose by functions that report what is compared."""
+    """Transformer of a module of tests, after which asserts and assert_allclose report what they compare."""
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:  # noqa: N802
         self._names: set[str] = set()  # of variables with results of the student's functions

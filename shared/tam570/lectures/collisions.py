@@ -45,7 +45,7 @@ def collide(
     n = along / size
     _check_restitution(restitution)
     turns = r[:, 0] * n[1] - r[:, 1] * n[0]
-    ways = np.column_stack([[n, n], turns]) * [[-1.0], [1.0]]  # generalised forces of a unit impulse
+    ways = np.column_stack([[n, n], turns]) * [[-1.0], [1.0]]  # m vx, m vy, I om of a unit impulse
     softness = ways * np.column_stack([_inverse(masses=masses)] * 2 + [_inverse(inertias=inertias)])
     approach = -float(np.sum(ways * before))
     if approach < -PARTED * float(np.abs(ways * before).sum()):

@@ -77,6 +77,11 @@ def show(what: object, *, assignment: str | None = None, numbers: Parameters | N
     Shown
         With the reason, if there is no scene.
 
+    Raises
+    ------
+    Unknown
+        If an assignment or a number has no such name.
+
     Examples
     --------
     >>> from tam570.lectures import top

@@ -1,11 +1,11 @@
-// The scene as equations: a hand takes hold of it, sliders change its numbers, the motion goes on from there.
-// `program` holds rates(t, s, p), drawn(t, s, p) and grab(t, s, p, q): state s, parameters p, place of the hand q.
+// The interactive scene: the user drags handles, sliders change parameters, and the motion continues from there.
+// `program` has rates(t, s, p), drawn(t, s, p) and grab(t, s, p, q): state s, parameters p, pointer position q.
 
-const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, PIECE = 0.2, STEPS = 500; // s, s; steps at most between two frames
-// alone: the first panel has the stage for itself; not while a hand holds what would move away under it.
+const grasped = JSON.parse(byId("data").textContent).live, TRAIL = 1500, WINDOW = 10, PIECE = 0.2, STEPS = 500; // s, s; most steps in a call
+// alone: only the first panel is shown; set after a drag, because the handle would move away from the pointer.
 const live = {on: false, alone: false, held: null, s: [], p: [], t: Infinity, trails: [], past: [], zoom: 1, most: 0};
 
-// Dormand and Prince's pair of orders 5 and 4; the step follows from the error.
+// Dormand and Prince's pair of orders 5 and 4; the error determines the step size.
 const DP = {
   c: [0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1, 1],
   a: [[], [1 / 5], [3 / 40, 9 / 40], [44 / 45, -56 / 15, 32 / 9], [19372 / 6561, -25360 / 2187, 64448 / 6561, -212 / 729],
@@ -30,10 +30,10 @@ function integrate(s, p, from, to, tolerance = 1e-10) {
   return y;
 }
 
-// The state that the film shows, and begin there.
+// Integrate to the state that the recorded scene shows, and begin there.
 function followFilm() {
   if (!(live.t <= state.time)) Object.assign(live, {t: 0, s: grasped.start});
-  while (live.t < state.time) { // in pieces, as each has so many steps at most; a chaotic motion needs all the digits
+  while (live.t < state.time) { // in pieces, as a call takes at most STEPS steps; a chaotic motion needs all digits
     const next = Math.min(live.t + PIECE, state.time);
     live.s = integrate(live.s, live.p, live.t, next, 1e-12);
     live.t = next;
@@ -109,7 +109,7 @@ function ring(context, [x, y]) {
   context.arc(x, y, 17, 0, 7);
   context.stroke();
 }
-// How many times smaller the panel is drawn, so that all of it is seen; it comes back slowly.
+// The factor by which the panel is drawn smaller, so that all of it is visible; it returns to 1 slowly.
 function fitting(frame, points) {
   const [w, h] = sizeNow(frame.panel), {middle, unit} = frame.panel;
   const far = Math.max(1, ...points.map((numbers) => {
@@ -120,7 +120,7 @@ function fitting(frame, points) {
 }
 const handlePlace = ({at, dim}) => livePoint(live.values.slice(at, at + dim));
 
-// What is measured, over the last seconds
+// The plot of the measures over the last seconds
 function liveFigure() {
   byId("plots").replaceChildren();
   if (!grasped.measures.length) return;
@@ -152,7 +152,7 @@ function drawMeasures() {
     + (grasped.constant && first.length ? `; ${grasped.measures[0]} drifts by ${Number(drift.toPrecision(1))}` : "");
 }
 
-// A hand, and sliders
+// Dragging, and sliders
 const REACH = 30; // px
 function nearest({clientX, clientY}) {
   const {left, top} = byId("live").getBoundingClientRect();
@@ -194,7 +194,7 @@ function stand() {
   live.alone = true;
   drawStill();
 }
-// Friction ends a motion in a finite time, towards which an explicit method takes ever smaller steps.
+// Friction ends a motion in a finite time; near it an explicit method would take ever smaller steps.
 function atRest() {
   const now = Math.abs(live.values[grasped.first]);
   live.most = Math.max(live.most, now);

@@ -1,4 +1,4 @@
-// A scene in the plane is seen as it is.
+// A scene in the plane needs no projection.
 const camera = null;
 const seen = (x, y) => [x, y];
 const sizeSeen = (size) => size;

@@ -1,7 +1,7 @@
 const shownFirst = JSON.parse(byId("data").textContent), {slider} = shownFirst;
 const sums = (steps) => { let sum = 0; return steps.map((step) => (sum += step)); };
 
-// What the file holds: differences between the samples that matter. A slider holds a scene for each of its values.
+// The data: differences between the stored samples. A slider has a scene for each of its values.
 let scene, keys, tracks, duration, plots;
 const state = {time: 0, speed: 1, playing: false, last: 0};
 function read(chosen) {
@@ -13,7 +13,7 @@ function read(chosen) {
   state.time = Math.min(state.time, duration);
 }
 
-// Where things are
+// Positions
 
 function keyBefore(time) {
   let low = 0, high = keys.length - 1;
@@ -24,7 +24,7 @@ function keyBefore(time) {
   return low;
 }
 
-// Position of a point at a key and a share of the way to the next, as [x, y(, z)] in half pixels of the large screen.
+// The position of a point, a fraction of the time after a key, as [x, y(, z)] in half pixels of the large screen.
 function place(point, key, share) {
   const index = Math.floor(point / 3), kind = point % 3;
   if (kind === 1) return scene.fixed[index];
@@ -38,7 +38,7 @@ function place(point, key, share) {
   return sum;
 }
 
-// What is drawn on
+// Colours, canvases and panels
 
 let colors = {};
 function readColors() {
@@ -49,7 +49,7 @@ function readColors() {
 }
 const colorOf = (number) => (number === -1 ? colors.ink : number === -2 ? colors.soft : colors[`c${number}`]);
 
-// A canvas of as many pixels as the screen has there; drawn in CSS pixels.
+// Give a canvas the resolution of the screen; return its context, which draws in CSS pixels.
 function fitted(canvas) {
   const {width, height} = canvas.getBoundingClientRect(), ratio = window.devicePixelRatio || 1;
   canvas.width = Math.round(width * ratio);
@@ -60,7 +60,7 @@ function fitted(canvas) {
   return {context, width, height};
 }
 
-// What a panel takes, in half pixels of the large screen.
+// The size of a panel, in half pixels of the large screen.
 const sizeNow = ({size, flat}) => (flat ? size : sizeSeen(size)).map((side) => side || 1);
 
 // The rectangles of the panels, in the grid of rows and columns in which they are largest.
@@ -93,7 +93,7 @@ function line(context, points) {
   context.beginPath();
   points.forEach(([x, y], i) => (i ? context.lineTo(x, y) : context.moveTo(x, y)));
 }
-// A line through points without corners: parabolas between the middles of the segments.
+// A smooth line through points: parabolas between the middles of the segments.
 function curve(context, points) {
   if (points.length < 3) return line(context, points);
   context.beginPath();
@@ -127,7 +127,7 @@ const draw = {
   },
   text(context, points, shape) {
     context.font = "600 14px system-ui, sans-serif";
-    const right = stage.live.width - context.measureText(shape.words).width - 2; // where it would be cut off
+    const right = stage.live.width - context.measureText(shape.words).width - 2; // beyond, the text would be cut off
     context.fillText(shape.words, Math.min(points[0][0] + 8, right), points[0][1] - 8);
   },
 };
@@ -149,7 +149,7 @@ function drawShape(context, frame, shape, key, share) {
   context.globalAlpha = 1;
 }
 
-// All of the way so far thinly, the last second in full.
+// Draw the path so far, the last second more strongly.
 function drawTrail(context, frame, shape, key, share) {
   const recent = keyBefore(keys[key] * scene.step - 1);
   for (const point of shape.at) {
@@ -166,7 +166,7 @@ function drawTrail(context, frame, shape, key, share) {
 }
 const moves = (shape) => shape.kind === "trail" || shape.at.some((point) => point % 3 !== 1);
 
-// The layer of what stands still is drawn when the view changes; the other one at every frame.
+// Draw the layer of fixed shapes, which changes only with the view; the other layer is drawn in every frame.
 function drawStill() {
   Object.assign(stage, {still: fitted(byId("still")), live: fitted(byId("live"))});
   stage.frames = layout(stage.live.width, stage.live.height);
@@ -183,7 +183,7 @@ function drawStill() {
   drawLive();
 }
 
-// A length to compare with: 1, 2 or 5 times a power of ten, a tenth to a third of the panel.
+// Draw a reference length: 1, 2 or 5 times a power of ten, a tenth to a third of the panel.
 function drawRuler(context, frame) {
   if (!frame.panel.ruler) return;
   const perMetre = frame.scale / frame.panel.unit, about = 110 / perMetre, power = 10 ** Math.floor(Math.log10(about));

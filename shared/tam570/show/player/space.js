@@ -7,13 +7,13 @@ function seen(x, y, z, flat) {
   return [ca * y - sa * x, ce * z - se * (ca * x + sa * y)];
 }
 
-// The directions in space that are right and up on the screen.
+// The directions in space that point right and up on the screen.
 function directionsSeen() {
   const ca = Math.cos(camera.azimuth), sa = Math.sin(camera.azimuth), ce = Math.cos(camera.elevation), se = Math.sin(camera.elevation);
   return [[-sa, ca, 0], [-se * ca, -se * sa, ce]];
 }
 
-// The same whatever the azimuth, so that what turns does not breathe.
+// The size does not depend on the azimuth, so that the scale is constant while the view turns.
 function sizeSeen([width, height]) {
   return [width, height * Math.cos(camera.elevation) + width * Math.abs(Math.sin(camera.elevation))];
 }

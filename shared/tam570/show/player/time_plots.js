@@ -1,4 +1,4 @@
-// The plots beside the scene: axes on one layer, what has been so far on another.
+// The plots beside the scene: axes on one layer, the curves so far on another.
 
 const PAD = 6, AXIS = 16; // px around the curves, and of the time axis below them
 function figure(plot) {
@@ -41,7 +41,7 @@ function drawPlotAxes(plot) {
   drawTimes(context, plot);
   plot.curves.forEach((curve, i) => strokeCurve(context, plot, curve, i, plot.times.length - 1, 0.3));
 }
-// Ticks of the time below, 1, 2 or 5 times a power of ten apart, about four of them.
+// Draw about four ticks of time, at distances of 1, 2 or 5 times a power of ten.
 function drawTimes(context, plot) {
   const {width, height} = plot.size, power = 10 ** Math.floor(Math.log10(duration / 4)), step = [1, 2, 5, 10].map((n) => n * power).find((n) => duration / n <= 5);
   context.textAlign = "center";

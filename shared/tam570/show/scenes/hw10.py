@@ -124,10 +124,7 @@ def _ellipsoids(student: StudentModule, omegas: Array, inertia: Array) -> Panel:
 
 
 def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
-    """Return the two closed curves (n, 3) on which omega has this energy and this |H|.
-
-    In the squares of its components they are straight lines.
-    """
+    """Return the two closed curves (n, 3) on which omega has this energy and |H|, straight lines in omega's squares."""
     order = np.argsort(inertia)
     a, b, c = inertia[order]
     if c - a < 1e-9 * c:
