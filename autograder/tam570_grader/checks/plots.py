@@ -256,6 +256,9 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
     "The edges belong to a box of half that size": lambda R, size: box_edges(R, size / 2),
     "The edges are along x, y, z: the size is turned, not the box": lambda R, size: box_edges(np.eye(3), R @ size),
     "The edges belong to a box with a corner at the origin": lambda R, size: box_edges(R, size) + R @ size / 2,
+    "The edges are half as long: each begins in the middle": lambda R, size: (
+        (box_edges(R, size) + box_edges(R, size)[:, :1]) / 2
+    ),
     "The edges are not turned": lambda R, size: box_edges(np.eye(3), size),
 }
 

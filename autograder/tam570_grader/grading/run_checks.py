@@ -296,40 +296,55 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
 def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | None:
     """Return a cause that names an earlier wrong function with the same mistake, else None.
 
-    One of the two must call the other, or both the same helper. In addition, both got the same message, or they return
-    the same wrong number where the right numbers are equal, or a solution that uses the other function (although the
-    student may not call it) reproduces these results, or one mutant of code that a solution shares explains both.
+    One of the two must call the other, or both the same helper. In addition, both got the same message, or both fail in
+    the same words at the same sort of input, or they return the same wrong number where the right numbers are equal, or
+    a solution that uses the other function (although the student may not call it) reproduces these results, or one
+    mutant of code that a solution shares explains both.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
     if not calls or {call.name for call in calls} != {name} or any(_is_drawn(run.assignment, call) for call in calls):
         return None
-    case = failed.failure.at if isinstance(failed.failure.at, Case) else calls[0].case
+    case = at if isinstance(at := _input_with_numbers(run, failed.failure), Case) else calls[0].case
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
     failures: dict[str, Failure] = {}  # first failure of each function
     for before in run.results.values():
         if _has_failed(before) and before.failure:
             failures.setdefault(before.failure.function, before.failure)
     for other, failure in failures.items():
-        if failure.follows_from or other in ("", name) or not isinstance(failure.at, Case):
+        other_case = _input_with_numbers(run, failure)
+        if failure.follows_from or other in ("", name) or not isinstance(other_case, Case):
             continue
         function, other_function = getattr(student, name), getattr(student, other)
         try:
             with budget():
                 uses_helper = (
-                    function.uses(helper, case) and other_function.uses(helper, failure.at) for helper in helpers
+                    function.uses(helper, case) and other_function.uses(helper, other_case) for helper in helpers
                 )
-                calls_other = function.uses(other, case) or other_function.uses(name, failure.at)
+                calls_other = function.uses(other, case) or other_function.uses(name, other_case)
                 if (calls_other or any(uses_helper)) and (
                     (cause and cause.repeats == other)
+                    or _same_words(failure, failed.failure)
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
-                    or _same_mutant(run, Call(other, failure.at, None), calls)
+                    or _same_mutant(run, Call(other, other_case, None), calls)
                     or _same_number(run, other, calls)
                 ):
                     return Cause(name, "", "own", follows_from=other)
         except (Failed, NotWritten, Exhausted, *UNFIT):
             continue
     return None
+
+
+def _input_with_numbers(run: _Run, failure: Failure) -> object:
+    """Return the input of a failure; if the failure has no numbers, an input that passed, if there is one."""
+    passing = (call.case for call in run.passing if call.name == failure.function)
+    return next(passing, failure.at) if failure.message else failure.at
+
+
+def _same_words(before: Failure, failure: Failure) -> bool:
+    """Return whether two functions fail in the same words at inputs of the same label: neither refuses them, say."""
+    alike = before.message.replace(before.function, failure.function) == failure.message != ""
+    return alike and before.label == failure.label != ""
 
 
 def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:

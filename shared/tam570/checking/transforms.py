@@ -302,7 +302,9 @@ def _linearised(reference: Function, keys: Sequence[str], which: int | None, cal
 
 
 def _other_points(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:
-    """Yield transforms with a moment of inertia about the wrong point."""
+    """Yield transforms with a moment of inertia about the wrong point, or of a thin uniform disk."""
+    if np.shape(values.get("inertia", 0)) == (2,) and {"mass", "radius"} <= values.keys():
+        yield f"In {name}, inertia is that of a thin uniform disk, whatever it is", partial(_uniform, reference)
     lengths = [key for key in values if key in LENGTHS and "mass" in values]
     for key, length, power in product(filter(INERTIA.search, values), lengths, (1, -1)):
         for k in range(np.size(values[key])):
@@ -466,6 +468,12 @@ def _about_another_point(reference: Function, key: str, k: int, length: str, pow
     inertia = np.array(values[key], float)
     inertia.flat[k] += power * float(values["mass"]) * float(values[length]) ** 2
     return reference(**{**values, key: inertia if inertia.ndim else float(inertia)})
+
+
+def _uniform(reference: Function, call: Compared) -> Numbers:
+    values = _named(reference, call.case)
+    size = float(values["mass"]) * float(values["radius"]) ** 2
+    return reference(**{**values, "inertia": (size / 4, size / 2)})
 
 
 def _relabelled(reference: Function, key: str, pair: list[int], call: Compared) -> Numbers:
