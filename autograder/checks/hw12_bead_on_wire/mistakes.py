@@ -105,19 +105,6 @@ def constraint_force(reference, x, v, *, mass, gravity, **wire):
 
 
 @mistake(first_fails=checks.force_has_the_right_size)
-def constraint_force(reference, x, v, *, mass, curvature, gravity):
-    """You forget the term 2 c v^2 of y''; differentiate y = c x^2 twice."""
-    x_ddot = acceleration_newton(x, v, curvature=curvature, gravity=gravity)
-    return mass * np.array([x_ddot, 2 * curvature * x * x_ddot + gravity])
-
-
-@mistake(first_fails=checks.force_has_the_right_size)
-def constraint_force(reference, x, v, *, mass, **wire):
-    """You forget the mass."""
-    return reference(x, v, mass=1.0, **wire)
-
-
-@mistake(first_fails=checks.force_has_the_right_size)
 def constraint_force(reference, x, v, *, curvature, **bead):
     """You use v as the speed along the wire; v is the rate of x."""
     return reference(x, v / np.hypot(1, 2 * curvature * x), curvature=curvature, **bead)
