@@ -56,13 +56,25 @@ def wrong_force(case, result, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
-# The balance of moments first: many solve it for the spins.
+# The balance of moments and the force first: many solve these for the spins.
 
 
 @check("moment_residual", points=0.75, part="c")
 def moment_residual_is_moment_minus_rate(student, rng):
     """moment less rate of angular momentum about G, for any motion and force."""
     compare(student.moment_residual, cases.under_forces(rng), hint="What is the force's arm, and what of H turns?")
+
+
+@check("contact_force", points=0.5, part="c")
+def contact_force_moves_the_centre(student, rng):
+    """contact_force gives the mass its centripetal acceleration and carries its weight."""
+    compare(student.contact_force, cases.whirls(rng), hint=wrong_force)
+
+
+@check("contact_force", points=0.25, part="c", after=contact_force_moves_the_centre)
+def contact_force_of_straight_rolling(student, rng):
+    """an upright disk without precession rolls straight on, its weight carried."""
+    compare(student.contact_force, cases.straight_rolling(rng), hint="Nothing there goes round.")
 
 
 # (a) Rolling
@@ -145,18 +157,6 @@ def common_precession_has_a_limit_upright(student, rng):
     """common_precession at lean 0 is its limit, next to 0 near it; almost flat it holds."""
     compare(student.common_precession, cases.next_to_upright(rng), tolerance=UPRIGHT, hint="Cancel the sine first.")
     compare(student.common_precession, cases.steep(rng))
-
-
-@check("contact_force", points=0.5, part="c")
-def contact_force_moves_the_centre(student, rng):
-    """contact_force gives the mass its centripetal acceleration and carries its weight."""
-    compare(student.contact_force, cases.whirls(rng), hint=wrong_force)
-
-
-@check("contact_force", points=0.25, part="c", after=contact_force_moves_the_centre)
-def contact_force_of_straight_rolling(student, rng):
-    """an upright disk without precession rolls straight on, its weight carried."""
-    compare(student.contact_force, cases.straight_rolling(rng), hint="Nothing there goes round.")
 
 
 # (d) The shuddering coin

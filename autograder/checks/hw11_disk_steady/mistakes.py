@@ -22,12 +22,6 @@ def rolling_spin(reference, lean, precession, **disk):
     return reference(lean, precession, **disk) + precession * math.sin(lean)
 
 
-@mistake(first_fails=checks.rolling_spin_balances_the_moments)
-def rolling_spin(reference, lean, precession, **disk):
-    """You drop the sign of the precession; keep it."""
-    return reference(lean, abs(precession), **disk)
-
-
 @mistake(first_fails=checks.rolling_spin_holds_upright_and_without_gravity)
 def rolling_spin(reference, lean, precession, **disk):
     """You return no spin without gravity; a disk that precesses still spins."""
@@ -152,13 +146,6 @@ def common_precession(reference, lean, **disk):
 
 @mistake(first_fails=checks.contact_force_moves_the_centre)
 def contact_force(reference, lean, precession, spin, **disk):
-    """You multiply the inward force by cos(lean); it is horizontal."""
-    inward, normal = reference(lean, precession, spin, **disk)
-    return inward * math.cos(lean), normal
-
-
-@mistake(first_fails=checks.contact_force_moves_the_centre)
-def contact_force(reference, lean, precession, spin, **disk):
     """You move G on the contact's circle of radius R; the circle of G has the radius R - a sin(lean)."""
     return reference(lean, precession, spin + precession * math.sin(lean), **disk)
 
@@ -201,10 +188,3 @@ def settling_energy(reference, lean, *, mass, radius, inertia, gravity):
 def settling_energy(reference, lean, **disk):
     """You set the potential to zero with the disk upright; it is zero with G on the ground."""
     return reference(lean, **disk) - disk["mass"] * disk["gravity"] * disk["radius"]
-
-
-@mistake(first_fails=checks.settling_energy_adds_up)
-def settling_energy(reference, lean, **disk):
-    """You use Omega for the rate about the diameter; it is Omega cos(lean)."""
-    kinetic = disk["inertia"][0] * common_precession(lean, **disk) ** 2 / 2
-    return kinetic + disk["mass"] * disk["gravity"] * disk["radius"] * math.cos(lean)
