@@ -67,9 +67,11 @@ def acceleration(reference, phi, phi_dot, *, mass, radius, offset, inertia, slop
 
 
 @mistake(first_fails=checks.acceleration_balances_momentum_about_G)
-def acceleration(reference, phi, phi_dot, *, slope, **cylinder):
-    """You use the size of the slope; a ramp upwards has a negative slope."""
-    return reference(phi, phi_dot, slope=abs(slope), **cylinder)
+def acceleration(reference, phi, phi_dot, **c):
+    """You balance moments about the centre O, which accelerates; add r_{G/O} x m a_O, or balance them about G."""
+    about_contact = contact_inertia(phi, **{name: c[name] for name in ("mass", "radius", "offset", "inertia")})
+    forgotten = c["mass"] * c["radius"] * c["offset"] * math.cos(phi)
+    return reference(phi, phi_dot, **c) * about_contact / (about_contact + forgotten)
 
 
 @mistake(first_fails=checks.acceleration_level_and_without_gravity)
