@@ -85,12 +85,6 @@ def angular_momentum(reference, R, omega, *, inertia):
 
 @mistake(first_fails=checks.euler_rates_make_omega)
 def euler_rates_313(reference, angles, omega):
-    """You exchange psi and phi; phi is about the body's own axis."""
-    return reference(angles[::-1], omega)[::-1]
-
-
-@mistake(first_fails=checks.euler_rates_make_omega)
-def euler_rates_313(reference, angles, omega):
     """You use omega in space components; it is given in body components."""
     psi, theta, phi = angles
     return reference((-phi, -theta, -psi), omega)[::-1]  # these angles turn back
@@ -146,6 +140,13 @@ def simulate(reference, t, R, omega, *, inertia):
     """You multiply in the wrong order; R(t) is R(t[0]) times the turn since then, as omega has body components."""
     omegas, turns = reference(t, np.eye(3), omega, inertia=inertia)
     return omegas, turns @ R
+
+
+@mistake(first_fails=checks.attitude_follows_the_motion)
+def simulate(reference, t, R, omega, *, inertia):
+    """You turn R with the omega of the start; omega changes, so use that of the same time."""
+    _, steadily = reference(t, R, omega, inertia=np.ones(3))
+    return reference(t, R, omega, inertia=inertia)[0], steadily
 
 
 @mistake(first_fails=checks.attitude_follows_the_motion, name="simulated_in_space")
