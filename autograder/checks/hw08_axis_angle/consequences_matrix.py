@@ -1,11 +1,11 @@
-"""Right functions of hw08 by powers of skew(n), in which a student may make one mistake."""
+"""Right functions of hw08 by powers of skew(axis), in which a student may make one mistake."""
 
 import numpy as np
 
 
 def rotation_matrix(axis, angle):
-    K = skew(_unit(axis))
-    return np.eye(3) + np.sin(angle) * K + (1.0 - np.cos(angle)) * K @ K
+    length, K = np.linalg.norm(axis), skew(axis)
+    return np.eye(3) + np.sin(angle) * K / length + (1.0 - np.cos(angle)) * K @ K / length**2
 
 
 def rotate(r, axis, angle):

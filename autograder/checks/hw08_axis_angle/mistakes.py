@@ -134,14 +134,14 @@ def rotation_matrix(reference, axis, angle):
     return np.eye(3) - (1 - np.cos(angle)) * K @ K + np.sin(angle) * K
 
 
-# The angle
-
-
 @mistake(first_fails=checks.matrix_turns_by_the_right_hand_rule)
 def rotation_matrix(reference, axis, angle):
-    """You get sin(angle) from the root of 1 - cos(angle)^2, which has lost its sign; use the sine."""
-    n, c = _unit(axis), np.cos(angle)
-    return c * np.eye(3) + (1 - c) * np.outer(n, n) + np.sqrt(1 - c**2) * skew(n)
+    """You write the quaternion as (w, x, y, z) and read it as (x, y, z, w); keep to one order."""
+    x, y, z, w = np.cos(angle / 2), *np.sin(angle / 2) * _unit(axis)
+    return reference((x, y, z), 2 * np.arctan2(np.linalg.norm((x, y, z)), w))
+
+
+# The angle
 
 
 @mistake(first_fails=checks.matrix_turns_by_the_right_hand_rule)

@@ -55,6 +55,12 @@ def body_sequence(reference, steps):
     return reference(steps[::-1])
 
 
+@mistake(first_fails=checks.body_sequence_takes_the_axes_along)
+def body_sequence(reference, steps):
+    """You return the transpose of space_sequence, which undoes it; multiply the same matrices in the other order."""
+    return space_sequence(steps).T
+
+
 @mistake(first_fails=checks.body_sequence_takes_few_steps, compared=False)
 def body_sequence(reference, steps):
     """You start from the first step, which fails when there is none; start from the identity."""

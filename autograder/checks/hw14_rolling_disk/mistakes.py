@@ -14,6 +14,12 @@ def rolling_inertia(disk):
     return disk["mass"] * disk["radius"] ** 2
 
 
+def along_e1_if_it_rolls(state, disk):
+    """What tilt'' gains where the frame e1, e2, e3 turns with the body."""
+    A, _ = disk["inertia"]
+    return A / (A + rolling_inertia(disk)) * state[5] * math.sin(state[3]) * state[7]
+
+
 # The diagram
 
 
@@ -82,12 +88,10 @@ def euler_state_derivative(reference, t, state, **disk):
 @mistake(first_fails=checks.euler_equations_hold)
 def euler_state_derivative(reference, t, state, **disk):
     """You turn the frame e1, e2, e3 with the body; it does not roll."""
-    tilt, _, yaw_rate, tilt_rate, roll_rate = state[3:]
-    A, _ = disk["inertia"]
+    tilt, _, _, tilt_rate, roll_rate = state[3:]
     rates = np.array(reference(t, state, **disk))
-    along_e1 = A / (A + rolling_inertia(disk)) * yaw_rate * math.sin(tilt) * roll_rate
     yaw_acceleration = -tilt_rate * roll_rate / math.sin(tilt)
-    rates[5:] += yaw_acceleration, along_e1, -yaw_acceleration * math.cos(tilt)
+    rates[5:] += yaw_acceleration, along_e1_if_it_rolls(state, disk), -yaw_acceleration * math.cos(tilt)
     return rates
 
 
@@ -145,6 +149,17 @@ def _contact_arm(reference, axle, omega, radius):
     """You turn the arm to the contact with the body; the contact is no point of the body."""
     arm, _ = reference(axle, omega, radius)
     return arm, np.cross(omega, arm)
+
+
+@mistake(first_fails=checks.multiplier_equations_hold)
+def multiplier_state_derivative(reference, t, state, **disk):
+    """You use diag(A, A, C) in space axes, but it belongs to the body; there the inertia is R diag(A, A, C) R^T."""
+    mass, rates, omega = disk["mass"], np.array(reference(t, state, **disk)), np.asarray(state[12:])
+    (A, C), (arm, arm_rate) = disk["inertia"], _contact_arm(state[5:12:3], omega, disk["radius"])
+    force = mass * (np.array([0.0, 0.0, disk["gravity"]]) - np.cross(omega, arm_rate))  # without omega'
+    about_contact = np.diag([A, A, C]) + mass * (arm @ arm * np.eye(3) - np.outer(arm, arm))
+    rates[12:] = np.linalg.solve(about_contact, np.cross(arm, force) - np.cross(omega, omega * [A, A, C]))
+    return rates
 
 
 @mistake(first_fails=checks.multiplier_equations_hold, compared=False)
@@ -243,6 +258,13 @@ def energy(reference, state, **disk):
 def contact_force(reference, state, **disk):
     """You return components along e1, e2, e3; return those along x, y, z."""
     return _frame(state) @ reference(state, **disk)
+
+
+@mistake(first_fails=checks.contact_force_moves_the_centre)
+def contact_force(reference, state, **disk):
+    """You turn the frame e1, e2, e3 with the body; it does not roll."""
+    more = np.array([0.0, -_spin(state) * state[7], along_e1_if_it_rolls(state, disk)]) @ _frame(state)
+    return reference(state, **disk) + disk["mass"] * disk["radius"] * more
 
 
 @mistake(first_fails=checks.contact_force_moves_the_centre)
