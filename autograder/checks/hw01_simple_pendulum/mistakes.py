@@ -183,6 +183,14 @@ def period(reference, amplitude, *, length, gravity):
     return 4 * math.sqrt(length / gravity) * ellipk(math.sin(amplitude / 2))
 
 
+@mistake(first_fails=checks.period_is_exact)
+def period(reference, amplitude, *, length, gravity):
+    """You use the sine of the amplitude as modulus; the modulus is that of its half."""
+    from scipy.special import ellipk
+
+    return 4 * math.sqrt(length / gravity) * ellipk(math.sin(amplitude) ** 2)
+
+
 @mistake(first_fails=checks.period_grows_towards_the_top, compared=False, numerics=True)
 def period(reference, amplitude, *, length, gravity):
     """You subtract nearly equal cosines, which leaves no digits at tiny amplitudes; use a product of sines."""

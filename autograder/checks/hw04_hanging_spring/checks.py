@@ -205,7 +205,7 @@ def orbit_may_be_a_line_or_a_point(student, rng):
 @check("project", points=1)
 def projection_is_orthographic(student, rng):
     """what an eye far away sees, right and up."""
-    compare(student.project, cases.views(rng), hint="Try one axis at a time: where does (0, 0, 1) go?")
+    compare(student.project, cases.views(rng), hint="Try one axis at a time: which way does each point?")
 
 
 @check("plot_projection", points=0.5, after=projection_is_orthographic)
@@ -216,7 +216,10 @@ def the_path_is_drawn(student, rng):
     places = expected_result(reference.simulate, Case(t, r, v, **case.kwargs))[:, :3]
     picture = student.plot_projection.drawn(case)
     (line,) = curves_seen(picture, 1)
-    others = {"These are x and y, not right and up.": places[:, :2]}
+    others = {
+        "These are x and y, not right and up.": places[:, :2],
+        "You exchanged azimuth and elevation.": reference.project(places, *view[::-1]),
+    }
     wrong_motion = first_wrong(reference, case, student.simulate, student.solution)
     wrong_picture = first_wrong(reference, Case(places, *view), student.project)
     path = reference.project(places, *view)

@@ -25,13 +25,6 @@ def free_body_diagram(reference, state, **parameters):
 
 
 @mistake(first_fails=checks.derivative_is_velocity_and_force_over_mass)
-def state_derivative(reference, t, state, *, mass, stiffness, gravity):
-    """You do not divide the spring's force by the mass."""
-    x, y, z = state[:3]
-    return [*state[3:], -stiffness * x, -stiffness * y, -stiffness * z - mass * gravity]
-
-
-@mistake(first_fails=checks.derivative_is_velocity_and_force_over_mass)
 def state_derivative(reference, t, state, *, gravity, **parameters):
     """You let gravity pull along -y; it pulls along -z."""
     return np.subtract(reference(t, state, gravity=0.0, **parameters), [0, 0, 0, 0, gravity, 0])

@@ -239,7 +239,7 @@ def tolerance_of(call: Call) -> float:
 def is_motion(call: Call) -> bool:
     """Return whether the result has a row for each of the times; what is square is the matrix of a vector."""
     times, shape = (call.case.args or (None,))[0], np.shape(parts(call.result)[0])
-    return isinstance(times, np.ndarray) and len(shape) > 1 and shape[0] == len(times) != shape[-1]
+    return isinstance(times, np.ndarray) and len(shape) > 1 and times.shape == shape[:1] != shape[-1:]
 
 
 def right_answer(solution: str, call: Call) -> Numbers:

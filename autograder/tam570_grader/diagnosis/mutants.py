@@ -66,7 +66,9 @@ class Mutant:
 def mutants_of(source: str) -> dict[str, list[Mutant]]:
     """Make the mutants of each function of a module, and more too near to these to need a test of their own."""
     lines, mutants = source.splitlines(keepends=True), dict[str, list[Mutant]]()
-    for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
+    functions = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
+    public = {function.name for function in functions if function.name[0] != "_"}
+    for function in functions:
         before = function.lineno - 1
         text = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
         products = _products(function)
@@ -74,7 +76,7 @@ def mutants_of(source: str) -> dict[str, list[Mutant]]:
             Mutant(operator, node, mutant, replaced(text, node, ast.unparse(mutant)), products.get(id(node), node))
             for node, operator, mutant in (
                 *changed_expressions(function),
-                *changed_expressions(function, MORE | _of_quantities(function)),
+                *changed_expressions(function, MORE | _of_quantities(function, public)),
             )
         ]
         mutants[function.name] += _everywhere(function)
@@ -91,7 +93,7 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
     return products
 
 
-def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
+def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Operator"]:
     """Return the operators that need to know what else the function has: one name for another of its kind."""
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     groups, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
@@ -101,8 +103,13 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
             tuples = (each for each in ast.walk(target) if isinstance(each, ast.Tuple))
             groups += [{part.id for part in each.elts if isinstance(part, ast.Name)} for each in tuples]
             computed |= {id(value) for value in getattr(node.value, "elts", [node.value])}
-            if isinstance(target, ast.Name) and isinstance(node.value, ast.Call) and len(node.value.args) == 1:
-                raw[target.id] = getattr(node.value.args[0], "id", "")
+            vector = getattr(getattr(node.value, "left", None), "id", "")  # of r / norm(r)
+            value = node.value.right if isinstance(node.value, ast.BinOp) and vector else node.value
+            if isinstance(target, ast.Name) and isinstance(value, ast.Call) and len(value.args) == 1:
+                argument = getattr(value.args[0], "id", "")
+                if vector in ("", argument):
+                    raw[target.id] = argument
+                    inputs |= {vector} - {""}
     groups = [group for group in groups if 2 <= len(group) <= MOST_ALIKE]
     raw = {name: argument for name, argument in raw.items() if argument in inputs - {name}}
     return {
@@ -111,6 +118,7 @@ def _of_quantities(function: ast.FunctionDef) -> dict[str, "Operator"]:
         "sine and cosine": partial(_exchanged_in_a_sum, groups=()),
         "as given": partial(_as_given, raw=raw),
         "ignored": partial(_ignored, computed=computed),
+        "a multiple": partial(_multiples, computed=computed, public=public),
         "a factor of a term": partial(_other_powers, names=names_used(function) & {"mass", *LENGTHS}),
     }
 
@@ -125,6 +133,12 @@ def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
     """Yield a product that has a name becomes zero."""
     if id(node) in computed and isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
         yield ast.Constant(0.0)
+
+
+def _multiples(node: ast.expr, computed: Set[int], public: Set[str]) -> Iterator[ast.expr]:
+    """Yield what another public function returns, and has a name, becomes twice and half of itself."""
+    if id(node) in computed and isinstance(node, ast.Call) and _name_of(node.func) in public:
+        yield from (_times(2, node), _times(0.5, node))
 
 
 def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:

@@ -38,7 +38,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import compile_lightly
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call
-from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, largest, right_answer, solution_with
+from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, is_motion, largest, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
 FEWEST = 2  # wrong answers: one may agree by chance
@@ -329,6 +329,7 @@ def _mutant(
         texts.pop(KINDS["linearised"], None)  # a cosine is a factor
     if len(texts) > 1:
         texts.pop(KINDS["ignored"], None)  # the quantity is a term
+        texts = {words: by_term for words, by_term in texts.items() if not words.startswith("the result of")}
     if len(texts) != 1:
         return None
     ((words, by_term),) = texts.items()
@@ -368,30 +369,39 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 
 def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return where a matrix or a vector is wrong, if it is in one place, and the others are not mere zeros."""
-    answers = [answer_of for call in calls for answer_of in (call.result, call.expected)]
-    forms = {() if isinstance(answer_of, tuple) else np.shape(answer_of) for answer_of in answers}
+    """Return where a matrix or a vector is wrong, if it is in one place, and the others are not mere zeros.
+
+    Of a matrix, or of rows, that may be a column.
+    """
+    pairs = [(call.result, call.expected) for call in calls]
+    forms = [() if isinstance(part, tuple) else np.shape(part) for pair in pairs for part in pair]
+    is_matrix, form = {len(each) for each in forms} == {2}, forms[0]
     if (
-        len(forms) > 1
-        or not (len(form := forms.pop()) in (2, 3) or (len(form) == 1 and form >= (SPACE,)))
+        (len({*forms}) > 1 and not is_matrix)
+        or forms[::2] != forms[1::2]
+        or not (len(form) in (2, 3) or (len(form) == 1 and form >= (SPACE,)))
         or calls[0].case.points
     ):
         return None
-    off = [np.abs(call.result - call.expected) > WITHIN * np.abs(call.expected).max() for call in calls]
-    places = np.argwhere(np.any(off, axis=0))
-    if len(places) != 1 or (len(form) == 1 and not np.any([call.expected for call in calls], axis=0).all()):
+    off = [np.argwhere(np.abs(result - right) > WITHIN * np.abs(right).max()) for result, right in pairs]
+    places = np.unique(np.concatenate(off), axis=0)
+    if is_matrix and len(places) > 1 and not is_motion(calls[0]):
+        places = np.unique(places[:, 1:], axis=0)
+    if len(places) != 1 or (len(form) == 1 and not np.any([right for _, right in pairs], axis=0).all()):
         return None
-    where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(AXES[len(form)], places[0], strict=True))
-    wrong = partial(_wrong_in_place, solution, name, tuple(places[0]))
+    axes = AXES[len(form)][-len(places[0]) :]
+    where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(axes, places[0], strict=True))
+    place = (slice(None),) * (len(form) - len(axes)) + tuple(places[0])
+    wrong = partial(_wrong_in_place, solution, name, place)
     return Cause(name, f"Your result of {name} is wrong in {where} alone", "place", (wrong,))
 
 
-def _wrong_in_place(solution: str, name: str, place: tuple[int, ...], call: Call) -> Numbers:
+def _wrong_in_place(solution: str, name: str, place: tuple[int | slice, ...], call: Call) -> Numbers:
     """Return the right answer with the student's number in one place; that of another function as it is."""
     expected = answer(solution, "", call)
     if call.name == name and np.shape(call.result) == np.shape(expected) != ():
         expected = np.array(expected)
-        expected[place] = call.result[place]
+        expected[place] = np.asarray(call.result)[place]
     return expected
 
 
@@ -522,6 +532,9 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
     was, now = mutant.was, mutant.now
     if mutant.operator in WHOLE:
         yield KINDS[mutant.operator], was
+    elif mutant.operator == "a multiple":
+        assert isinstance(was, ast.Call) and isinstance(now, ast.BinOp)
+        yield f"the result of {ast.unparse(was.func)} is multiplied by {ast.unparse(now.left)}", was
     elif mutant.operator in OF_TERMS:
         is_reversed = mutant.operator == "the sign of a component"
         yield KINDS["a sign"] if is_reversed else MISSING_TERM, _dropped(was, now)

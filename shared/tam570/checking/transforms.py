@@ -314,14 +314,19 @@ def _other_points(name: str, reference: Function, values: Parameters) -> Iterato
 
 
 def other_products(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield transforms with an argument that another one multiplies once too few or too many."""
+    """Yield transforms with an argument that another one, or the root of a ratio, multiplies once too few or too many."""
     values = {key: np.asarray(value) for key, value in _named(reference, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
     for key, other in permutations(numbers, 2):
         if values[other].ndim == 0:
-            missing, extra = (partial(_with_product, reference, key, other, power) for power in (-1, 1))
+            missing, extra = (partial(_with_product, reference, key, {other: power}) for power in (-1, 1))
             yield f"In {name}, {key} lacks a factor {other}", missing
             yield f"In {name}, {key} has a factor {other} too many", extra
+    parameters = [key for key in numbers if key in example.case.kwargs and values[key].ndim == 0]
+    starts = [key for key in numbers if key not in example.case.kwargs and key != "t"]
+    for key, (over, under) in product(starts, permutations(parameters, 2)):
+        root = partial(_with_product, reference, key, {over: 0.5, under: -0.5})
+        yield f"In {name}, {key} should be divided by sqrt({over}/{under})", root
 
 
 def _numbers(function: Function, case: Arguments) -> dict[str, int | None]:
@@ -340,6 +345,8 @@ def _changes(
     for words, change in POWERS.items():
         yield words, partial(_changed, change), None
     yield from _multiples(numbers)
+    if result.ndim == 1 and len(result) > SPACE and not len(result) % 2:
+        yield from _multiples(numbers, len(result) // 2)
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
         transposed = partial(_changed, np.transpose)
         yield "is transposed", transposed, transposed
@@ -360,13 +367,13 @@ def _changes(
             yield f"{words} in {what} {k + 1}", change, undo
 
 
-def _multiples(numbers: Mapping[str, int | None]) -> Iterator[tuple[str, ResultChange, ResultChange]]:
-    """Yield changes of a result that lacks a factor or divisor, one of these arguments: message, change, inverse."""
-    for key, position in numbers.items():
-        times = partial(_times, key, position)
-        for words, power in {"multiplied": -1, "divided": 1}.items():
-            yield f"should be {words} by {key}", partial(times, power), partial(times, -power)
-            yield f"should be {words} by {key} squared", partial(times, 2 * power), partial(times, -2 * power)
+def _multiples(numbers: Mapping[str, int | None], last: int = 0) -> Iterator[tuple[str, ResultChange, ResultChange]]:
+    """Yield changes of a result whose last components, or all, lack a factor or divisor, one of these arguments."""
+    where = f" in its last {last} components" if last else ""
+    powers = {"multiplied by {}": -1, "divided by {}": 1, "multiplied by {} squared": -2, "divided by {} squared": 2}
+    for number, (words, power) in product(numbers.items(), powers.items()):
+        times = partial(_times, number, last)
+        yield f"should be {words.format(number[0])}{where}", partial(times, power), partial(times, -power)
 
 
 def _constants(result: Numbers, expected: Numbers) -> Iterator[tuple[str, ResultChange]]:
@@ -383,10 +390,11 @@ def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
     return value * factor
 
 
-def _times(key: str, position: int | None, power: int, value: Numbers, case: Arguments) -> Numbers:
-    """Multiply by a power of an argument, a keyword or the one at `position`."""
-    factor = case.kwargs[key] if position is None else case.args[position]
-    return value * float(factor) ** power
+def _times(number: tuple[str, int | None], last: int, power: int, value: Numbers, case: Arguments) -> Numbers:
+    """Multiply the last components, or all, by a power of an argument, a keyword or the one at its position."""
+    key, position = number
+    factor = float(case.kwargs[key] if position is None else case.args[position]) ** power
+    return value * (np.repeat([1.0, factor], last) if last else factor)
 
 
 def _changed(change: Change, value: Numbers, case: Arguments) -> Numbers:
@@ -458,9 +466,10 @@ def _with_result(which: int, count: int, change: ResultChange, call: Compared) -
     return tuple(results) if count > 1 else results[0]
 
 
-def _with_product(reference: Function, key: str, other: str, power: int, call: Compared) -> Numbers:
+def _with_product(reference: Function, key: str, powers: Mapping[str, float], call: Compared) -> Numbers:
     values = _named(reference, call.case)
-    return reference(**{**values, key: np.asarray(values[key]) * float(values[other]) ** power})
+    factor = math.prod(float(values[other]) ** power for other, power in powers.items())
+    return reference(**{**values, key: np.asarray(values[key]) * factor})
 
 
 def _about_another_point(reference: Function, key: str, k: int, length: str, power: int, call: Compared) -> Numbers:

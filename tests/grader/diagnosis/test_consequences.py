@@ -283,6 +283,7 @@ def test_a_mistake_that_has_its_name_from_a_later_check_is_told_by_the_first_tha
 
 OTHER_MASS = "(masses[0] - masses[1]) * lengths[1] ** 2 / 12 * omega[1]"
 TRANSPOSED = "np.r_[[R], (R @ turned[0].T @ turned[1:]).mT]"
+STRETCHED = "*(state[2:] - (state[2:] @ state[:2]) * np.array([x, y]))"
 SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
@@ -303,6 +304,9 @@ SLIPS = [
     ("hw10_free_rigid_body", "_agm(larger, smaller)", "_agm(larger, smaller**2 / larger)", "a square root"),
     ("hw11_disk_steady", "(A * math.cos", "(mass * radius**2 / 4 * math.cos", "that of a thin uniform disk"),
     ("hw12_bead_on_wire", ") / (1 + slope**2)\n    return np", ")\n    return np", "a factor with curvature, x is"),
+    ("hw02_ballistics", "drag / mass, gravity=gravity)", "drag, gravity=mass * gravity)", "in its last 2 components"),
+    ("hw02_ballistics", "time * phi1\n", "time / 2 * _decays(drag / mass * time / 2)[1]\n", "is multiplied by 0.5"),
+    ("hw05_constrained_pendulum", "-along * y, along * x", STRETCHED, "one term uses position as it is given"),
     ("hw07_double_pendulum", "m2 * l2**2 / 3]", "m2 * l2**2 * (1 / 3 + 1 / 4)]", "m l^2/4 is added to m l^2/3"),
 ]
 
