@@ -173,7 +173,7 @@ def action_is_stationary_on_motions(student, rng):
 @check("action", points=0.5, after=action_is_stationary_on_motions)
 def action_is_the_integral(student, rng):
     """the integral of T - V itself, to second order in the step."""
-    hint = "V is zero at the lowest point; half the step must quarter the error."
+    hint = "V is zero at the lowest point; n samples make n - 1 steps, and half the step must quarter the error."
     compare(student.action, [*cases.paths(rng), *cases.plain_paths(rng)], tolerance=ACTION, hint=hint)
 
 

@@ -176,12 +176,14 @@ def judge_axes(student, calls):
 
 
 def likeliest_ellipse(source, case, product, tensor, smaller, square):
+    rate = reference.rate_of(**case.kwargs)
     candidates = {
         "The smaller axis is not zero.": tensor if smaller.any() or np.linalg.matrix_rank(tensor) < 2 else product,
         "It is twice as large: these are its axes, not semi-axes.": 4 * tensor,
         "The semi-axes have the squares of their lengths.": tensor @ tensor,
         "The semi-axes are unit vectors: give them their lengths.": product @ product if product.any() else tensor,
         "You use v itself: divide it by sqrt(k/m).": about(reference.centre(**case.kwargs), case, 1.0),
+        "You multiply v by sqrt(k/m): divide it.": about(reference.centre(**case.kwargs), case, 1 / rate),
     }
     near = (message for message, it in candidates.items() if np.allclose(product, it, rtol=1e-6, atol=TENSOR * square))
     return source() or next(near, case.hint or "Do r and v/sqrt(k/m) lie on your ellipse, as seen from its centre?")
