@@ -44,13 +44,6 @@ def constraint_force(reference, state, **parameters):
 
 @mistake(first_fails=checks.force_keeps_the_particle_on_the_circle)
 def constraint_force(reference, state, *, mass, length, gravity):
-    """You left the mass out of the centripetal term."""
-    r, v = state[:2], state[2:]
-    return (mass * gravity * r[1] - v @ v) / length**2 * r
-
-
-@mistake(first_fails=checks.force_keeps_the_particle_on_the_circle)
-def constraint_force(reference, state, *, mass, length, gravity):
     """You added the weight to the constraint force; it is the rod's force only."""
     return reference(state, mass=mass, length=length, gravity=gravity) - [0.0, mass * gravity]
 

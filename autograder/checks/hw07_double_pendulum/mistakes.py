@@ -86,12 +86,6 @@ def _rates(reference, t, state, **parameters):
     return om1, om2, 2 * at_rest1 - alpha1, 2 * at_rest2 - alpha2
 
 
-@mistake(first_fails=checks.accelerations_obey_the_equations)
-def angular_acceleration(reference, theta, omega, *, masses, **parameters):
-    """You use the mass of bar 2 for both bars; the masses differ."""
-    return reference(theta, omega, masses=masses[[1, 1]], **parameters)
-
-
 @mistake(first_fails=checks.accelerations_with_a_nearly_massless_bar, compared=False)
 def angular_acceleration(reference, theta, omega, *, masses, lengths, gravity):
     """You add 1e-11 to the diagonal of [M], which swamps a light bar; solve with [M] itself."""

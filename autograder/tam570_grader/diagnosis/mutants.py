@@ -523,8 +523,7 @@ def _norms(node: ast.expr) -> Iterator[ast.expr]:
 
 def _degrees(node: ast.expr) -> Iterator[ast.expr]:
     """Yield pi / 2 becomes 90, and the sine of an angle that of so many degrees."""
-    if _is_angle(node):
-        yield ast.BinOp(node, ast.Mult(), ast.Constant(180 / math.pi))
+    yield from _other_angles(180 / math.pi, node)
     yield from _other_sines(180 / math.pi, node)
 
 
@@ -533,15 +532,10 @@ def _other_sines(factor: float, node: ast.expr) -> Iterator[ast.expr]:
         yield _with(node, args=[_times(factor, node.args[0])])
 
 
-def _half_angles(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield pi / 2 becomes pi / 4."""
+def _other_angles(factor: float, node: ast.expr) -> Iterator[ast.expr]:
+    """Yield pi / 2 becomes pi / 4, or -pi / 2."""
     if _is_angle(node):
-        yield _times(0.5, node)
-
-
-def _angle_signs(node: ast.expr) -> Iterator[ast.expr]:
-    if _is_angle(node):
-        yield ast.UnaryOp(ast.USub(), node)
+        yield _times(factor, node)
 
 
 def _is_angle(node: ast.expr) -> bool:
@@ -599,7 +593,7 @@ MORE: dict[str, Operator] = {
     "a norm": _norms,
     "degrees": _degrees,
     "radians": partial(_other_sines, math.pi / 180),
-    "the sign of an angle": _angle_signs,
+    "the sign of an angle": partial(_other_angles, -1.0),
     "an axis": _axes,
     "parts of a tangent": _tangent_parts,
     "the parallel axis": partial(_other_thirds, 7 / 4),
@@ -612,7 +606,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
     ("a product for a square", _products_for_squares),
     ("degrees", _degrees),
     ("radians", partial(_other_sines, math.pi / 180)),
-    ("half an angle", _half_angles),
+    ("half an angle", partial(_other_angles, 0.5)),
     ("halves", _halves),
 )
 

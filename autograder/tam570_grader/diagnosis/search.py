@@ -369,10 +369,7 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 
 def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return where a matrix or a vector is wrong, if it is in one place, and the others are not mere zeros.
-
-    Of a matrix, or of rows, that may be a column.
-    """
+    """Return where an array is wrong, if it is in one place or one column, and the others are not mere zeros."""
     pairs = [(call.result, call.expected) for call in calls]
     forms = [() if isinstance(part, tuple) else np.shape(part) for pair in pairs for part in pair]
     is_matrix, form = {len(each) for each in forms} == {2}, forms[0]

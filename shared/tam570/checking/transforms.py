@@ -314,7 +314,7 @@ def _other_points(name: str, reference: Function, values: Parameters) -> Iterato
 
 
 def other_products(name: str, reference: Function, example: Compared) -> Iterator[Transform]:
-    """Yield transforms with an argument that another one, or the root of a ratio, multiplies once too few or too many."""
+    """Yield transforms with an argument that another one, or the root of a ratio, multiplies by mistake, or should."""
     values = {key: np.asarray(value) for key, value in _named(reference, example.case).items()}
     numbers = [key for key, value in values.items() if value.dtype.kind in "fiu"]
     for key, other in permutations(numbers, 2):
