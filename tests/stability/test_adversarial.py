@@ -58,10 +58,10 @@ def bouncing(stiffness, damping=0.0):
     return lambda t, y: (y[1], -G + max(0.0, -stiffness * y[0] - damping * y[1]) if y[0] < 0 else -G)
 
 
-def two_balls(t, y):
-    a, b, u, v = y
-    push = 1e5 * max(0.2 - (b - a), 0.0)
-    return u, v, -push, push
+def cradle(t, y):
+    """Three balls that touch, of which the first swings into the others."""
+    push = 1e5 * np.maximum(y[:2] - y[1:3], 0.0) ** 1.5
+    return *y[3:], *(np.append(0.0, push) - np.append(push, 0.0) - G * y[:3])
 
 
 def struck_at_rest(t, y):
@@ -77,7 +77,7 @@ CONTACT = {
     "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=2.5e-3),
     "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=5e-3),
     "two walls": newton(lambda t, x, v: -1e14 * (min(x, 0) + max(x - 1, 0)), (0, 2), [0.5, 1], exact=BETWEEN_WALLS),
-    "two balls": against(two_balls, (0, 1), [0.0, 1.0, 2.0, 0.0], longest=0.025),
+    "cradle": against(cradle, (0, 0.7), [-0.3, 0.0, 0.0, 0.0, 0.0, 0.0], longest=2e-3),
     "rest": against(struck_at_rest, (0, 2), [0, 1, 0, 0], exact=[0.1 + math.pi / 40, 0, 1.9 - math.pi / 40, 1]),
     "gap": against(lambda t, y: (y[1], -y[0] - 100.0 * np.maximum(y[0] - 0.5, 0.0)), (0, 5), [1.0, 0.0], longest=0.02),
     "where": newton(lambda t, x, v: np.where(x < 0, -1e5 * x, 0.0), (0, 1.4), [1.0, -1.0], longest=0.025),

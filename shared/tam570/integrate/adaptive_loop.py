@@ -137,7 +137,7 @@ def advance(
             refused, refusals, growth = refused + 1, refusals + 1, 1.0
             if at_last and (refused > TRIALS or _finite(n) and fifth < inf):
                 halt = TOO_SHORT if _finite(n) and fifth < inf else NOT_FINITE
-            pace = max(h, pace) if is_cut else pace
+            pace = max(0.5 * h, pace) if is_cut else pace
             refused = 0 if is_cut else refused
             h = _shorter(h, error, sure)
     return State(row, t, h, y, r, f, a, b, measured, growth, refused, steps, refusals, halt, pace)
