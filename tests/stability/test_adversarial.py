@@ -133,7 +133,7 @@ SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
 HALVES, FIFTHS, RAMP = tuple(np.arange(0.5, 6, 0.5)), (0.2, 0.4, 0.6, 0.8, 1.0), (0, 6.4, 7.2, 8.8)
 JUMPS = {
     "narrow peaks of a sine": against(
-        lambda t, y: (1.0 if math.cos(40 * t) > 0.99999 else 0.0,), (0, 2), [0.0], exact=[25 * math.acos(0.99999) / 40]
+        lambda t, y: (math.cos(44 * t) > 0.999997,), (0, 2), [0.0], exact=[29 * math.acos(0.999997) / 44]
     ),
     "step": forced(lambda t: 1.0 if t > 1 else 0.0, (0, 3), stops=(1,)),
     "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),

@@ -355,7 +355,7 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         doublings = int(math.log(span / h, 4)) + 1 if engine.formulas.timed else 0
         later = [t + h * 4.0**k for k in range(doublings)]  # a force may not be there yet
         sizes = error_scale(rhs, t, h, y, g, c, later)
-        if min(sizes) <= NO_SCALE:  # of a contact no small change tells
+        if min(sizes) <= NO_SCALE:  # a contact of Hertz, of which no small change tells
             n = engine.functions["step"](t, h, y, (0.0,) * len(y), g, sizes, (0.0,) * len(y), run.rtol, c)[0]
             sizes = tuple(max(s, abs(b - v)) if b - v < math.inf else s for s, b, v in zip(sizes, n, y, strict=True))
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)

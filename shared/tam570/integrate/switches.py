@@ -171,7 +171,7 @@ class Switches:
             return saturated, math.inf, False
         is_line = self.is_line
         part, differences = _first_zero(X, positive), positive @ DIFFERENCES
-        if 0.0 < part < X[1] or self.is_near:
+        if 0.0 < part < X[1] or self.is_near or (positive[:, 0] < SHORT * positive[:, 1]).any():
             near = np.append(0.0, X[1] * min(shortest / h / X[1], 0.1) ** X[:0:-1])
             closer = _first_zero(near, look(near, _basis(near))[0])
             part = closer if closer < math.inf else part
@@ -279,11 +279,13 @@ def _turns(positive: Array) -> list[int]:
     """Return the numbers of the points near which one of them comes down to zero and turns back, by a parabola."""
     curvature = positive @ DIFFERENCES[:, :-1]
     a, b, c = positive[:, :-2], positive[:, 1:-1], positive[:, 2:]
-    if (b > 0.225 * curvature).all():
+    if (np.minimum(b, c) > 0.225 * curvature).all():
         return []
     with np.errstate(all="ignore"):
         lowest = b - (a - c) ** 2 / (8 * curvature)
-    points = np.flatnonzero(((b <= a) & (b <= c) & (curvature > 0) & (lowest < 0.1 * curvature)).any(axis=0))
+    turning = (b <= a) & (b <= c)
+    turning[:, -1] |= (c < b)[:, -1] & (a + 3.0 * c > 4.0 * b)[:, -1]  # it rises at the end: between the last two
+    points = np.flatnonzero((turning & (curvature > 0) & (lowest < 0.1 * curvature)).any(axis=0))
     turns: list[int] = (points + 1).tolist()
     return turns
 
