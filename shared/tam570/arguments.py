@@ -68,7 +68,7 @@ def array(shape: tuple[int | None, ...] | None, **arguments: ArrayLike) -> NDArr
 
 
 def like(example: Numbers, **arguments: Numbers) -> None:
-    """Raise ValueError unless each argument has finite numbers and the example's number of dimensions; skip strings."""
+    """Raise ValueError unless each argument is finite, with the example's number of dimensions; a string allows any."""
     for name, value in arguments.items():
         if np.ndim(example):
             array((None,) * np.ndim(example), **{name: value})

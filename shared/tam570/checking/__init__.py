@@ -87,7 +87,7 @@ class Runner:
             text=True,
             env=_environment(),
             start_new_session=os.name == "posix",
-            creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # Ctrl-C is for this process
+            creationflags=getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0),  # Ctrl-C ends only this process
         )
 
     def run(self, work: Work, *, changed: bool, functions: Sequence[str] = ()) -> None:

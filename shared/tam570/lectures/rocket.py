@@ -70,7 +70,7 @@ def exact(
 def coasting_energy(
     state: ArrayLike, *, burn_rate: float, exhaust_speed: float, empty_mass: float, gravity: float
 ) -> float:
-    """Energy v^2/2 + g h per mass, J/kg, at the end of the burning, after which it is constant."""
+    """Energy per mass v^2/2 + g h, J/kg, that the rocket has at the end of the burning, and after it."""
     _check(burn_rate, exhaust_speed, empty_mass, gravity)
     height, speed, mass = numbers(3, state=state).tolist()
     parameters = {"burn_rate": burn_rate, "exhaust_speed": exhaust_speed, "empty_mass": empty_mass, "gravity": gravity}

@@ -10,7 +10,7 @@ from tam570.rotations._formulas import defect
 SQUARES = (1e-6, 1e250)  # squared lengths; the least does not underflow when multiplied by an angle of 1e-300
 TURNS = (0.0, 1e300)  # squared lengths of rotation vectors, which may underflow
 STEPS = (0.0, 1e-18)  # square of Newton's last step, which leaves an error of half its square
-DEFECTS = (0.0, 1e-12)  # of a matrix within 1e-6 of a rotation
+DEFECTS = (0.0, 1e-12)  # sum of squared errors of a matrix within 1e-6 of a rotation
 
 
 def _is_finite(rows: Array) -> NDArray[np.bool_]:

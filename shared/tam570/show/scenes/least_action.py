@@ -1,4 +1,4 @@
-"""The lecture on Hamilton's principle: a pendulum's paths between two angles, drawn over time, and their actions."""
+"""The lecture `least_action`: a pendulum's paths between two angles, drawn over time, and their actions."""
 
 from collections.abc import Callable
 from functools import partial
