@@ -114,7 +114,7 @@ def collect_tests(path: Path, text: str, names: Parameters | None = None) -> lis
     module = ModuleType(path.stem)
     module.__file__ = str(path)
     linecache.cache[str(path)] = (len(text), None, text.splitlines(keepends=True), str(path))
-    tree = ast.fix_missing_locations(_Telling().visit(ast.parse(text)))
+    tree = ast.fix_missing_locations(_ReportingAsserts().visit(ast.parse(text)))
     vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose, **(names or {})})
     exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
     functions = [
@@ -151,7 +151,7 @@ def _needs_pytest(fixture: str) -> None:
     raise AssertionError(f"This test asks for the fixture {fixture!r}, which only pytest has. Run it with pytest.")
 
 
-class _Telling(ast.NodeTransformer):
+class _ReportingAsserts(ast.NodeTransformer):
     """Transformer of a module of tests, after which asserts and assert_allclose report what they compare."""
 
     def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.AST:  # noqa: N802
@@ -166,10 +166,10 @@ class _Telling(ast.NodeTransformer):
 
     def visit_Assert(self, node: ast.Assert) -> ast.AST | list[ast.AST]:  # noqa: N802
         if isinstance(node.test, ast.BoolOp) and isinstance(node.test.op, ast.And) and node.msg is None:
-            return [self._told(node, part) for part in node.test.values]
-        return self._told(node, node.test) if node.msg is None else node
+            return [self._reporting(node, part) for part in node.test.values]
+        return self._reporting(node, node.test) if node.msg is None else node
 
-    def _told(self, node: ast.Assert, test: ast.expr) -> ast.AST:
+    def _reporting(self, node: ast.Assert, test: ast.expr) -> ast.AST:
         if isinstance(test, ast.Compare) and len(test.ops) == 1 and type(test.ops[0]).__name__ in COMPARISONS:
             name, expected = ast.Constant(type(test.ops[0]).__name__), test.comparators[0]
             call = _call(COMPARE, test.left, name, expected, ast.Constant(self._is_students(expected)))

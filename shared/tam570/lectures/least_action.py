@@ -109,8 +109,8 @@ def _descent(angles: Array, *, duration: float, length: float, gravity: float) -
     while True:
         step = _newton(angles, h, length, gravity, damping)
         if step is not None:
-            make_each = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
-            if action(make_each, duration, length=length, gravity=gravity) <= now + rounding:
+            changed = np.concatenate([angles[:1], angles[1:-1] + step, angles[-1:]])
+            if action(changed, duration, length=length, gravity=gravity) <= now + rounding:
                 return step
         damping = 4 * damping or 1e-13 * length**2 / h
 
