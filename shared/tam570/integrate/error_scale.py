@@ -89,14 +89,10 @@ def _moved_by(
     rhs: Rates, t: float, duration: float, y: Floats, f: Floats, sizes: Floats, c: Numbers, part: float = PART
 ) -> list[float]:
     """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
-    changed = [v + part * size * _sign(i) for i, (v, size) in enumerate(zip(y, sizes, strict=True))]
+    signs = [(1.0 - 0.15 * (i % 5)) * (-1 if i % 2 else 1) for i in range(len(y))]  # no two cancel
+    changed = [v + part * size * sign for v, size, sign in zip(y, sizes, signs, strict=True)]
     moved = [abs(duration * (b - a) / part) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
     return [_finite(new) for new in moved] if part == PART else moved
-
-
-def _sign(i: int) -> float:
-    """No two cancel."""
-    return (1.0 - 0.15 * (i % 5)) * (-1 if i % 2 else 1)
 
 
 def _finite(x: float) -> float:
