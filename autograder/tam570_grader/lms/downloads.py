@@ -8,10 +8,11 @@ from datetime import datetime
 
 from dateutil import parser as dates  # type: ignore[import-untyped]
 
-from tam570_grader.lms.archives import File
+from tam570_grader.lms.archives import File, is_beside, is_zip
 from tam570_grader.lms.systems import SYSTEMS, System
 from tam570_grader.results.collected import form
 
+RELEASED = ("README.md", "figure.svg", "NOTATION.md")  # with the assignment, into each repository
 AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # Canvas's number in the name of a file that is handed in again
 
 
@@ -99,9 +100,14 @@ def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed |
         user = path[0].removeprefix(start)
         if len(path) == 1 or not user:
             yield file
-        elif form(file.path) and not any(part.startswith(".") for part in path):
+        elif _is_handed_in(path[-1]) and not any(part.startswith(".") for part in path):
             keys = tuple((key, user) for kinds in system.ids.values() for key in kinds)
             yield Handed(keys, "", file, path[-1])
+
+
+def _is_handed_in(name: str) -> bool:
+    """Return whether a file of a repository is a student's work, packed work, or drawings and words."""
+    return name not in RELEASED and (bool(form(name)) or is_zip(name) or is_beside(name))
 
 
 def _of_table(files: Sequence[File], system: System) -> Iterator[Handed | File]:

@@ -1,6 +1,5 @@
 """Points by hand: every table and page has them, grading again keeps them, and a wrong row changes nothing."""
 
-import shlex
 import shutil
 
 import pytest
@@ -116,7 +115,7 @@ def test_joined_results_bring_their_points(results, tmp_path):
 def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys):
     points(results, "ann,hw07,c,1.5,so so")
     fill = ["points", str(results), str(results / "fill.csv")]
-    assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0 and shlex.join(fill) in capsys.readouterr().out
+    assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0 and " ".join(fill) in capsys.readouterr().out
     filled = [(row["student"], row["item"], row["points"], row["of"]) for row in rows(results / "fill.csv")]
     assert filled == [("ann", "c", "1.5", "2"), ("ben", "c", "", "2")]
     assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # as it is, it changes nothing

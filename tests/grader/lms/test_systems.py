@@ -4,7 +4,7 @@ import json
 import unicodedata
 
 import pytest
-from classes import HW08
+from classes import HW08, packed
 
 from tam570_grader.course.course_toml import COLUMNS
 from tam570_grader.lms.systems import SYSTEMS
@@ -266,7 +266,8 @@ def test_github_classroom(desk):
         folder = desk.folder / "repositories" / f"hw08-{user}"
         (folder / ".git").mkdir(parents=True)
         (folder / ".git" / "config.py").write_text("# no work")
-        (folder / f"{HW08}.py").write_text(f"# {n}")
+        name, work = (f"{HW08}.py", f"# {n}".encode()) if n else ("handin.zip", packed({f"{HW08}.py": "# 0"}))
+        (folder / name).write_bytes(work)
     rows = [(login, user, "", "") for login, user in logins.items()]
     desk.write("roster.csv", [("identifier", "github_username", "github_id", "name"), *rows])
     code, printed = desk("collect", "repositories", "--from", "github", "--roster", "roster.csv")
