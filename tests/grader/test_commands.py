@@ -2,7 +2,6 @@
 
 import itertools
 import json
-import shutil
 import subprocess
 import sys
 
@@ -12,7 +11,6 @@ from classes import result
 from processes import imported_modules
 
 from tam570_grader import cli as grader
-from tam570_grader.errors import UsageError, writing
 
 HEAVY = {"scipy", "matplotlib", "sympy", "pytest", "llvmlite", "nbgrader", "tqdm", "hatchling", "IPython"}
 FOLDERS = "kit", "course", "gradescope"
@@ -27,9 +25,9 @@ def test_grading_hw08_imports_numpy_and_nothing_heavier(here, course):
     assert "numpy" in modules and not modules & {*HEAVY, "difflib", "html", "tomllib", "zipfile"}
 
 
-@pytest.mark.parametrize("arguments", [["grade", "--help"], ["--help", "grade"]])
-def test_the_help_of_the_grader_imports_nothing_heavy(here, arguments):
-    code = f"from tam570_grader.cli import main\ntry: main({arguments})\nexcept SystemExit: pass"
+def test_the_help_of_the_grader_imports_nothing_heavy(here):
+    code = "from contextlib import suppress\nfrom tam570_grader.cli import main\n"
+    code += "for words in ['grade', '--help'], ['--help', 'grade']:\n    with suppress(SystemExit): main(words)"
     assert not imported_modules(code) & HEAVY
 
 
@@ -57,11 +55,6 @@ def test_what_cannot_be_written_is_named(here, capsys, command, path):
     assert grader.main([*command.split(), path]) == 2
     err = capsys.readouterr().err
     assert f"tam570-grader: error: cannot write to {path}" in err and len(err.splitlines()) == 2
-
-
-def test_of_many_files_that_cannot_be_copied_the_first_is_named(tmp_path):
-    with pytest.raises(UsageError, match="cannot write to .*: no room; "), writing(tmp_path):
-        raise shutil.Error([("a", "b", "no room"), ("c", "d", "no room for this one")])
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "tcsh"])

@@ -1,7 +1,6 @@
 """The students' command: what it lists, starts, hints, refuses, updates and imports, and where it finds work."""
 
 import json
-import re
 import shutil
 import zipfile
 
@@ -19,9 +18,8 @@ COMMANDS = ["list", "start hw08", "hint hw08 skew", "update hw08"]
 MORE = "\n\ndef unskew(matrix, *, scale):\n    raise NotImplementedError\n"
 
 
-@pytest.mark.parametrize("command", COMMANDS)
-def test_a_light_command_imports_no_numerical_library(hw08, command):
-    code = f"from tam570.cli import main\nassert main({command.split()}) == 0"
+def test_a_light_command_imports_no_numerical_library(hw08):
+    code = f"from tam570.cli import main\nassert not any(main(command.split()) for command in {COMMANDS})"
     assert not imported_modules(code) & HEAVY
 
 
@@ -223,9 +221,6 @@ def test_update_brings_what_was_not_touched_and_names_the_rest(
 
 
 def test_each_readme_says_how_closely_motions_are_compared(slug):
-    """And which tolerance is safe; in words that `check --final` finds."""
-    text = (course.folder(slug) / "README.md").read_text()
+    """Where `check --final` finds it."""
     simulates = any(name.startswith("simulate") for name in contract(slug)["results"])
-    sentences = [" ".join(sentence.split()) for sentence in ACCURACY.findall(text)]
-    assert len(sentences) == simulates
-    assert all(re.search(r"to \d?·?10⁻. of .*`rtol=1e-9, atol=1e-9`.* is safe\.", sentence) for sentence in sentences)
+    assert len(ACCURACY.findall((course.folder(slug) / "README.md").read_text())) == simulates

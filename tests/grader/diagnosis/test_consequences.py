@@ -161,8 +161,7 @@ def test_accelerations_follow_from_the_students_own_equations(checked, sign):
     last = "gravity_terms(theta, masses=masses, lengths=lengths, gravity=gravity)]"
     equations = OWN_EQUATIONS.replace(last, last.replace("gravity_terms", f"{sign}gravity_terms"))
     actual = checked("hw07_double_pendulum", (alpha, equations), ("gravity * np.array([", "-gravity * np.array(["))
-    expected = {("angular_acceleration", "gravity_terms")}
-    assert (expected <= following(actual)) == (sign == "")
+    assert (("angular_acceleration", "gravity_terms") in following(actual)) == (sign == "")
 
 
 def test_a_plot_of_a_wrong_motion_or_by_a_wrong_picture_keeps_its_share(checked):
