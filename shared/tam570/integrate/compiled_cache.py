@@ -1,4 +1,4 @@
-"""Compiled runs that differ from an earlier one in their start alone: all else is ready."""
+"""Cache of compiled runs, for calls of `solve` that differ only in the start."""
 
 from collections.abc import Callable, Hashable
 from functools import partial
@@ -14,14 +14,14 @@ from tam570.integrate.watch import COMPILED, available
 from tam570.values import Numbers, Parameters
 
 CompiledRun = Callable[[Numbers], Array | None]
-Slot = list[CompiledRun]  # empty, or with what to try last in it
+Slot = list[CompiledRun]  # empty at first; its last item is the run to try
 
-METHODS = ("auto", "compiled")  # whose runs are kept
-LARGEST = 20_000  # numbers in the result of a run that is kept
+METHODS = ("auto", "compiled")  # methods whose runs are cached
+LARGEST = 20_000  # numbers in the result of a run that is cached, at most
 
 
 def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
-    """States at `times` from a start, by Taylor's method alone; None where it does not get there."""
+    """Return run(y0) -> (n, k) states at `times` by Taylor's method, or None if that is impossible or fails."""
     begin, end = float(times[0]), float(times[-1])
     if engine.graph is None or not available() or engine.next_break(begin, begin, end) != end:
         return _nothing
@@ -30,7 +30,7 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
         from tam570.integrate.compiled import backend
 
         runs = backend.taylor_repeated(run, partial(run.watch, COMPILED))
-    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: `solve` can do without
         runs = None
     return runs or _nothing
 
@@ -38,9 +38,9 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
 def slot_of(
     method: str, rhs: Numbers, t: ArrayLike, y0: Numbers, parameters: Parameters | None, rtol: float, atol: Numbers
 ) -> Slot | None:
-    """Return where a run with such arguments is kept.
+    """Return the cache slot of runs with these arguments, or None if there is none.
 
-    None where they may change unseen, or are not what they should be.
+    There is none if `method` is not cached, or if arguments are invalid or may change unnoticed.
     """
     if method not in METHODS:
         return None
@@ -59,7 +59,7 @@ def _numbers(t: ArrayLike) -> Hashable:
 
 
 def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:
-    """Note that a compiled run was asked for; where it was before, keep it for the next time."""
+    """Note that a compiled run was needed; at the second time, compile one for later calls unless it is large."""
     if not slot:
         slot.append(_nothing)
     elif len(slot) == 1 and len(times) * engine.formulas.size <= LARGEST:

@@ -1,7 +1,7 @@
-"""From a right-hand side to the functions that step it: traced where it can be, else called as it stands.
+"""Builds the functions that step a right-hand side: from its trace, or by calls if it cannot be traced.
 
-What was traced is kept for the next run of a right-hand side with the same key: it was compared with the student's
-function then, and nothing that it depends on has changed since.
+Traced engines are memoized by the key of the right-hand side. Each was compared with the student's function when it was
+built; an equal key means that none of its dependencies has changed since.
 """
 
 from dataclasses import dataclass
@@ -18,24 +18,24 @@ from tam570.integrate.switches import Switches
 from tam570.integrate.trace import EDGES, Graph, Untraceable, traced
 from tam570.values import Function, Json, Parameters
 
-KINKED = {"asin", "acos"}  # operations
+KINKED = {"asin", "acos"}  # operations with infinite slope at the edges of their domain
 
 
 class Mistraced(Exception):
-    """Where the formulas have no value the right-hand side has one: it is to be called as it stands."""
+    """Raised if traced formulas have no finite value: the run is then repeated with calls of the right-hand side."""
 
 
 @dataclass(frozen=True, eq=False)
 class Engine:
-    """The functions generated for a right-hand side, and the constants of its scene."""
+    """The functions generated for a right-hand side, and the constants in it."""
 
     rates: Rates  # the right-hand side itself
     functions: Json
     constants: tuple[float, ...]
     formulas: Formulas
-    graph: Graph | None  # None where the right-hand side is called as it stands
+    graph: Graph | None  # None if the right-hand side is called
     untraced_reason: str = ""
-    sign: float = 1.0  # of the clock: -1 where the times are those of -t
+    sign: float = 1.0  # -1 if the engine's time is -t
     called_rates: CalledRates | None = None
     switches: Switches | None = None
 
@@ -48,9 +48,9 @@ class Engine:
         return self.graph is None or any(symbol.name in KINKED for symbol in self.graph.operations)
 
     def next_break(self, t: float, begin: float, end: float) -> float:
-        """Return where a stretch from t on ends in a run from begin to end.
+        """Return the end of the stretch that starts at t, in a run from begin to end.
 
-        Where a traced function of time may be passed, or at `end`.
+        It is the next time at which a step might miss a traced function of time, or `end`.
         """
         if self.graph is None or not self.formulas.timed:
             return end
@@ -67,17 +67,17 @@ def engine(
     sampled: bool = False,
     may_trace: bool = True,
 ) -> Engine:
-    """Functions for the right-hand side as traced, if it can be and agrees; else for calls of it.
+    """Return the engine of a right-hand side: traced, if the trace reproduces its values, else one that calls it.
 
-    sign    : of the clock; -1 where the times are those of -t
-    sampled : states inside of steps will be asked for, not only where there are more than two times
-    may_trace : whether formulas may take the place of calls
+    sign    : -1 if the engine's time is -t
+    sampled : whether states inside steps are needed even if there are only two times
+    may_trace : whether traced formulas may replace calls
     """
     sampled, reason = sampled or len(times) > 2, "its formulas have no value where a step ends"
 
     @cache
     def tried_rates() -> CalledRates:
-        """Return the right-hand side, tried at the start."""
+        """Return the right-hand side after a check of its values at the start."""
         forward = bound(rhs, parameters)
         rates: Rates = forward if sign > 0 else lambda t, y: [-1.0 * rate for rate in forward(-t, y)]
         called_rates = CalledRates(rates, len(start))
@@ -97,7 +97,7 @@ def engine(
 
 
 def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign: float) -> Engine | str:
-    """Return the engine of a traced right-hand side; or why it is not traced."""
+    """Return the engine of a traced right-hand side, or the reason why it cannot be traced."""
     try:
         graph = traced(rates, len(start))
     except Untraceable as reason:
@@ -127,5 +127,5 @@ def _functions(formulas: Formulas, sampled: bool) -> Json:
 
 
 def _with_loop(functions: Json) -> Json:
-    """Return the generated functions and the loop around them."""
+    """Return the generated functions and, as "advance", the loop around them."""
     return {**functions, "advance": loop_with(*(functions[name] for name in GENERATED))}

@@ -1,13 +1,13 @@
-"""The absolute tolerance that a start implies: what is zero has a scale all the same.
+"""Error scales of the components at the start, which give the absolute tolerance if the caller gives none.
 
-An error of component i is judged by atol_i + rtol |y_i|. Where the caller gives no atol, atol_i is a quarter of rtol
-times the size of the component at the start. What is zero there takes the size to which it moves within the first
-step, on its own or driven by time; else the size that the others give it: the rates change when these change, each by a
-part of its own size. What is driven by that in turn takes its size from it, and so on along a chain.
-The time that this is given is that in which the known turn each other over, no longer, when all change by their sizes
-(tried at a small part and at an eighth of them): so a scale is rather too small than too large. Too small costs steps,
-too large digits. Where nothing turns over, the time is the first step. What is smaller than the rounding of what drives
-it is zero here.
+An error of component i is measured in units of atol_i + rtol |y_i|. If the caller gives no atol, atol_i is a quarter of
+rtol times the scale of the component: its size at the start, or its change in the first step if that is larger. If both
+are zero, the scale follows from forces that set in later, or from the coupling: the rate changes if the other
+components change, each by a fraction of its scale. A component driven by it gets its scale from it, and so on.
+The coupling acts for the longest duration in which it changes no component that has a scale by more than CALM times
+this scale (tested with changes by a small fraction of the scales and by an eighth); if it never does, for the first
+step. So a scale is too small rather than too large: too small costs steps, too large costs digits. A component that is
+smaller than the round-off of what drives it counts as zero.
 """
 
 import math
@@ -15,13 +15,13 @@ from collections.abc import Callable, Sequence
 
 from tam570.values import Numbers
 
-SHARE = 0.25  # of rtol times the size: a component that passes zero is judged four times as strictly as at the start
-NO_SCALE = 1e-290  # of what is zero, and moved by nothing; never 0, as errors are divided by it
+SHARE = 0.25  # atol over rtol times the scale: at a zero, the tolerance is a fifth of that at the start
+NO_SCALE = 1e-290  # scale of a component that is zero and that nothing moves; not 0, because errors are divided by it
 EPS = 2.0**-52
-PART = 2.0**-20  # of its own size, by which each component is changed
-COARSE = 0.125  # the same, to see that sizes are not so large that the rates are others
-LONG, SHORT = 4096.0, 1e-9  # times h: how long the others are given at most and at least
-CALM = 4.0  # times its size: what the others may do to a component with a size
+PART = 2.0**-20  # change of each component to test the coupling, as a fraction of its scale
+COARSE = 0.125  # the same, to detect scales so large that the rates are no longer linear in the change
+LONG, SHORT = 4096.0, 1e-9  # longest and shortest duration of the coupling, in units of h
+CALM = 4.0  # largest change by coupling of a component that has a scale, in units of this scale
 
 Floats = Sequence[float]
 Rates = Callable[[float, Numbers, Numbers], Floats]
@@ -30,7 +30,7 @@ Rates = Callable[[float, Numbers, Numbers], Floats]
 def error_scale(
     rhs: Rates, t: float, h: float, y: Floats, f: Floats, c: Numbers, later: Numbers = ()
 ) -> tuple[float, ...]:
-    """(k,) sizes at the start; `later` are times at which a force may set in."""
+    """Return (k,) scales at the start. h : s, first step; later : times at which a force may have set in."""
     own_sizes = [max(abs(value), _finite(h * rate)) for value, rate in zip(y, f, strict=True)]
     if min(own_sizes) <= NO_SCALE:
         driven = _driven_sizes(rhs, t, h, y, f, own_sizes, c, later)
@@ -41,7 +41,7 @@ def error_scale(
 def _driven_sizes(
     rhs: Rates, t: float, h: float, y: Floats, f: Floats, own_sizes: list[float], c: Numbers, later: Numbers
 ) -> list[float]:
-    """Return the sizes, those of zero replaced where the others or the time move them."""
+    """Return the scales; those that are zero are estimated from the coupling and from forces at later times."""
     moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
     sizes = [0.0 if size < EPS * most else size for size, most in zip(own_sizes, moved, strict=True)]
     forces, duration, best = [0.0] * len(sizes), LONG * h, sizes
@@ -52,7 +52,7 @@ def _driven_sizes(
         while spread is None and duration > SHORT * h:
             moved = [max(size, h * a) for size, a in zip(sizes, forces, strict=True)]
             spread = _spread(rhs, t, duration, y, f, moved, c)
-            if duration == LONG * h and spread:  # nothing turns over
+            if duration == LONG * h and spread:  # the coupling is weak
                 duration, spread = h, None
             else:
                 duration = duration if spread else duration / 4
@@ -65,7 +65,7 @@ def _driven_sizes(
 def _spread(
     rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Numbers
 ) -> list[float] | None:
-    """Return what the sizes do to one another within so many s; None where that turns over one that is known."""
+    """Return scales by coupling for `duration`, s; None if it changes a scale that is not zero too much."""
     sizes = [
         max(size, _finite(duration * rate)) if size > NO_SCALE else size
         for size, rate in zip(own_sizes, f, strict=True)
@@ -88,14 +88,14 @@ def _spread(
 def _moved_by(
     rhs: Rates, t: float, duration: float, y: Floats, f: Floats, sizes: Floats, c: Numbers, part: float = PART
 ) -> list[float]:
-    """To what each is moved within so many s when all change by their sizes, in proportion to a part of these."""
-    signs = [(1.0 - 0.15 * (i % 5)) * (-1 if i % 2 else 1) for i in range(len(y))]  # no two cancel
+    """Return the change of each component in `duration`, s, if all change by their sizes; scaled up from `part`."""
+    signs = [(1.0 - 0.15 * (i % 5)) * (-1 if i % 2 else 1) for i in range(len(y))]  # unequal, so that no two cancel
     changed = [v + part * size * sign for v, size, sign in zip(y, sizes, signs, strict=True)]
     moved = [abs(duration * (b - a) / part) for a, b in zip(f, rhs(t, tuple(changed), c), strict=True)]
     return [_finite(new) for new in moved] if part == PART else moved
 
 
 def _finite(x: float) -> float:
-    """|x|, or zero where that is not finite."""
+    """Return |x|, or zero if x is not finite."""
     size: float = abs(x)
     return size if size < math.inf else 0.0

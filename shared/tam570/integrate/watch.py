@@ -1,9 +1,9 @@
-"""What is decided while a run goes on: whether compiled code repays, and whether the equations are stiff.
+"""Decides during a run whether compiled code is worthwhile, and whether to give up, as with stiff equations.
 
-The work is counted and no clock is read: the same call gives the same answer. An explicit method takes steps no longer
-than the fastest decay allows, however smooth the motion; and where the rates jump all the time, a quarter of the steps
-and more are tried in vain. A run is given up when one of the two holds at many looks in a row, and far more steps are
-left than anybody waits for.
+Decisions depend on counts of steps, not on a clock, so the same call gives the same result. With an explicit method,
+the fastest decay limits the step size, however smooth the motion is; and if the rates jump again and again, over a
+quarter of the attempted steps are refused. A run is given up if many looks in a row detect one of these and far more
+steps remain than anyone would wait for, or if its steps are hardly longer than the spacing of floats.
 """
 
 import importlib.util
@@ -15,21 +15,21 @@ from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.meter import is_limited
 from tam570.values import Function, Numbers
 
-PROBE = 50  # steps in Python before the rest is estimated for the first time
-# On a machine of 2024, median of the public problems of `benchmarks`, s; another machine has about the same ratios:
-IN_PYTHON, BESIDE = 3e-8, 12.0  # an operation of the right-hand side, at a stage; a stage costs so many more
-A_MODULE, AN_OPERATION = 0.15, 0.0012  # to import llvmlite and to compile
-FIRST_OF = 3.0  # calls: compiled code is kept on disk, for the next one and the next process
+PROBE = 50  # steps in Python before the first estimate of the remaining work
+# Measured on a machine of 2024, median of the public problems of `benchmarks`; ratios differ little between machines:
+IN_PYTHON, BESIDE = 3e-8, 12.0  # s per operation of the right-hand side in a stage; overhead of a stage, in operations
+A_MODULE, AN_OPERATION = 0.15, 0.0012  # s, to import llvmlite; s per operation, to compile
+FIRST_OF = 3.0  # calls that share the cost of compilation, as compiled code is cached on disk
 
 
 class WorthCompiling(Exception):
-    """The rest of the run takes longer in Python than the whole of it does compiled."""
+    """Raised if compiling is worthwhile (see `repays`): the run then starts again in compiled code."""
 
 
 class Estimate:
-    """Counts the steps of a run in Python, and estimates the rest after 50, 100, 200, ... of them.
+    """Counts the steps of a run in Python, and estimates the remaining work after 50, 100, 200, ... steps.
 
-    begin, end : of the run, s; operations : of the right-hand side
+    begin, end : of the run, s; operations : their number in the right-hand side
     """
 
     def __init__(self, begin: float, end: float, operations: int) -> None:
@@ -37,7 +37,7 @@ class Estimate:
         self.steps, self.due = 0, PROBE
 
     def add(self, steps: int, t: float) -> None:
-        """Count steps up to the time t. Raises WorthCompiling."""
+        """Count `steps` that led to the time t; raise WorthCompiling if the rest repays it."""
         self.steps += steps
         if self.steps < self.due or t >= self.end:
             return
@@ -48,13 +48,13 @@ class Estimate:
 
 
 def repays(steps: float, operations: int) -> bool:
-    """Return whether so many steps of order 8 take longer in Python than compiling does, for one of some calls."""
+    """Return whether compilation is available and faster than `steps` steps of order 8 in each of FIRST_OF calls."""
     in_python = IN_PYTHON * 12 * steps * (operations + BESIDE)
     return in_python * FIRST_OF > A_MODULE + AN_OPERATION * operations and available()
 
 
 def available() -> bool:
-    """Return whether llvmlite is installed, not forbidden by TAM570_COMPILED=0, and no step is to be counted."""
+    """Return whether llvmlite is installed and not disabled by TAM570_COMPILED=0, and no meter counts the steps."""
     return (
         not is_limited()
         and os.environ.get("TAM570_COMPILED") != "0"
@@ -64,14 +64,14 @@ def available() -> bool:
 
 Look = Callable[..., None]
 
-PYTHON = 300_000  # steps left that are too many: some ten seconds and up
-COMPILED = 30_000_000
-OUT_OF_REACH = 1e9  # the same, of any function, where steps are refused as often as not
-BETWEEN_LOOKS = 500  # steps tried
-LOOKS, IDLE_LOOKS = 20, 10  # in a row
-CRAWL = 2.0**-48  # of a time, per step: four times the shortest step
-DECAY = 1.5  # h times the fastest decay: accuracy alone asks for less
-SWEEPS = 8  # of the power method, enough for a factor of two where one decay is far faster than the rest
+PYTHON = 300_000  # remaining steps that are too many: about ten seconds in Python
+COMPILED = 30_000_000  # the same in compiled code
+OUT_OF_REACH = 1e9  # the same if over a quarter of the attempts are refused, for a traced function
+BETWEEN_LOOKS = 500  # attempted steps, at least
+LOOKS, IDLE_LOOKS = 20, 10  # consecutive looks that detect stiffness, or many refusals, until the run is given up
+CRAWL = 2.0**-48  # too small an advance per attempt, as a fraction of the time: four times the shortest step
+DECAY = 1.5  # h times the fastest decay rate; it is less where accuracy limits h
+SWEEPS = 8  # iterations of the power method: accurate to a factor of two if one decay is far faster than the rest
 
 
 def watch_for_end(
@@ -83,14 +83,15 @@ def watch_for_end(
     too_many: int,
     in_vain: float = OUT_OF_REACH,
 ) -> Look:
-    """Return look(t, y, m, steps and refusals so far, by_rounding), to be called now and then.
+    """Return look(t, y, m, steps, refusals, by_rounding), to be called between steps of a run up to `end`.
 
-    t, m    : the time since `origin`; m() is the scale of each component
-    by_rounding : whether steps are refused for what rounding does to them
-    sign    : of the engine's clock
-    in_vain : steps left that are too many where steps are refused
+    It raises ArithmeticError if the run should be given up.
 
-    Raises ArithmeticError when the run up to `end` is to be given up.
+    t, m     : s, time since `origin`; m() returns the scale of each component
+    steps, refusals : accepted and refused steps so far
+    by_rounding : whether steps are refused because of round-off
+    sign     : -1 if the engine's time is -t, else 1
+    too_many, in_vain : remaining steps that are too many if stiff, and if steps are refused
     """
     before, stiff_looks, idle_looks, blurred_looks, crawling_looks = (0.0, 0, 0), 0, 0, 0, 0
 
@@ -132,7 +133,7 @@ def watch_for_end(
 
 
 def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
-    """Return the error of a motion that stays where the rates jump."""
+    """Return the error for a motion that stays at a discontinuity of the rates."""
     return ArithmeticError(
         f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
         "steep. Friction that holds a body at rest has no rate there: stop at an event, or smooth the jump"
@@ -140,7 +141,7 @@ def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
 
 
 def blur(t: float, y: Sequence[float]) -> ArithmeticError:
-    """Return the error of a motion whose rates are not computed to as many digits as its steps need."""
+    """Return the error for rates whose round-off is larger than the tolerance allows."""
     return ArithmeticError(
         f"the rates near t = {t:.9g}, y = {list(y)} change by more than rtol allows within the rounding of time and "
         "state: at a short pulse, at a stiff wall, or where they become infinite. Count time from there, lengths "
@@ -149,7 +150,7 @@ def blur(t: float, y: Sequence[float]) -> ArithmeticError:
 
 
 def _crawl(t: float, y: Sequence[float]) -> ArithmeticError:
-    """Return the error of a motion whose rates jump at every few steps."""
+    """Return the error for rates that jump every few steps."""
     return ArithmeticError(
         f"the rates jump every few steps near t = {t:.9g}, y = {list(y)}, or are infinitely steep, and far too many "
         "steps are left. Let rhs compute with all digits (no round, no float32) and forget earlier calls, or give a "
@@ -158,7 +159,7 @@ def _crawl(t: float, y: Sequence[float]) -> ArithmeticError:
 
 
 def _decay(rhs: Function, t: float, y: Sequence[float], m: Sequence[float], c: Numbers) -> float:
-    """Return the rate of the fastest decay, by the power method; 0 if the fastest change is none."""
+    """Return the rate of the fastest decay, 1/s, by the power method; 0 if the fastest mode does not decay."""
     rates, along, back = rhs(t, tuple(y), c), [(-1.0 if i % 2 else 1.0) for i in range(len(y))], 0.0
     for _ in range(SWEEPS):
         size = sqrt(sum(a * a for a in along)) / PART
