@@ -263,7 +263,7 @@ def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Submis
 
 
 def warn_of_isolation() -> None:
-    """If there is no bubblewrap, warn, and hide the data of this process that submissions could read."""
+    """Warn if there is no bubblewrap, and then hide data of this process that submissions could read."""
     if isolation() != "bubblewrap":
         hide_from_submissions()
         warn(

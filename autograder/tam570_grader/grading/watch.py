@@ -146,7 +146,7 @@ class Queue:
 
 @dataclass
 class Watcher:
-    """Watches a folder, grades what arrives, and returns the feedback pages."""
+    """Loop that watches a folder, grades what arrives, and returns the feedback pages."""
 
     source: Path
     course: Path

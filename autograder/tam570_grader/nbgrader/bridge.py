@@ -46,7 +46,7 @@ in `submitted/`."""
 
 
 class ForgivingExporter(NotebookExporter):
-    """Replaces an unreadable notebook by a note, so that the module beside it is graded.
+    """Exporter that replaces an unreadable notebook by a note, so that the module beside it is graded.
 
     Each command has one instance, which locks the results of its assignments and caches those of the class.
     """
@@ -109,7 +109,7 @@ def _notebook(filename: str) -> Notebook | str:
 
 
 class RestoreMetadata(NbGraderPreprocessor):  # type: ignore[misc]
-    """Restores nbgrader's metadata of cells from the gradebook; cells that are not in it become plain cells."""
+    """Preprocessor that restores nbgrader's metadata from the gradebook; cells that are not in it become plain."""
 
     def preprocess(self, nb: Notebook, resources: Resources) -> Outcome:
         where = resources["nbgrader"]
@@ -153,7 +153,7 @@ def markdown_without_html(context: Any, source: str) -> str:
 
 
 class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
-    """Keeps text and pictures in a student's cells, as the notebook is not executed; drops what a browser would run."""
+    """Preprocessor that keeps text and pictures of cells that are not executed, and drops what a browser would run."""
 
     def preprocess_cell(self, cell: Notebook, resources: Resources, cell_index: int) -> Outcome:
         if cell.cell_type == "code":
@@ -165,7 +165,7 @@ class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
 
 
 class SandboxGrades(NbGraderPreprocessor):  # type: ignore[misc]
-    """Grades the submitted module in the sandbox, and fills the locked cells with points and messages."""
+    """Preprocessor that grades the submitted module in the sandbox, and fills the locked cells with the results."""
 
     checkout = Unicode("", help="the checkout of tam570 with checks and solutions").tag(config=True)
     results = Unicode("tam570_results", help="the folder of the results, in the course").tag(config=True)

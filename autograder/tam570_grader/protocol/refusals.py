@@ -49,7 +49,7 @@ class Calls:
 # calls with the same number on all architectures
 COMMON = {
     **{"io_uring_setup": 425, "pidfd_getfd": 438, "process_madvise": 440, "memfd_secret": 447},
-    **{"landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446},  # uncounted memory
+    **{"landlock_create_ruleset": 444, "landlock_add_rule": 445, "landlock_restrict_self": 446},  # memory without limit
 }
 # numbers of other calls on x86_64 and on aarch64; None if there is no such call
 REFUSED = {

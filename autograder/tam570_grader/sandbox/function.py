@@ -54,7 +54,7 @@ class SandboxFunction:
     early: Mapping[bytes, Json] = field(default_factory=dict)  # replies to calls that `ahead` has made, by packed call
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Any:
-        """Return the result of one call, in the promised form."""
+        """Return the result of one call, in the form that the contract requires."""
         return self.many([Case(*args, **kwargs)])[0]
 
     def each(self, calls: Iterable[Case]) -> Iterator[tuple[Case, Any]]:

@@ -45,9 +45,9 @@ VARIABLES = {
     "PYTHONHASHSEED": "0",
     "OPENBLAS_NUM_THREADS": "1",
     "OMP_NUM_THREADS": "1",
-    "MKL_NUM_THREADS": "1",  # a second thread forbids namespaces
+    "MKL_NUM_THREADS": "1",  # several threads forbid namespaces
     "MPLBACKEND": "agg",
-    "TAM570_COMPILED": "0",  # compiling costs seconds that a call may not have
+    "TAM570_COMPILED": "0",  # compiling would use up a call's time
 }
 
 
@@ -171,7 +171,7 @@ def _trial() -> subprocess.Popen[bytes]:
 
 
 def hide_from_submissions() -> None:
-    """If submissions are plain processes, hide this process's memory from them, and the seed in its command line."""
+    """Hide this process's memory, and the seed in its command line, from submissions that are plain processes."""
     if sys.platform != "linux" or isolation() == "bubblewrap":
         return
     stat = Path("/proc/self/stat").read_text(encoding="utf-8", errors="replace")

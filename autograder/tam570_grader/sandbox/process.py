@@ -37,7 +37,7 @@ class SandboxProcess:
         self._channel, self.leash, self.limit = channel, leash, call_limit
         self._ended = False  # the process has closed its end
         self._channel.setblocking(False)
-        self.leash.settimeout(60)  # s; the monitor answers within a few hundredths where the machine is not busy
+        self.leash.settimeout(60)  # s; unless the machine is busy, the monitor answers within some hundredths
         self._received = bytearray()
         self._budget, self._room = ItemBudget(), LARGEST_REPLY  # left for the replies to the current request
         self._waited = 0.0  # s of waiting in earlier calls, at least as long as their CPU time
