@@ -22,7 +22,7 @@ from tam570_grader.sandbox.launch import isolation
 
 Dask: TypeAlias = Any  # a Dask client or Security; distributed has no type annotations
 
-ASKED = 2.0  # s between queries of the number of workers
+QUERY_INTERVAL = 2.0  # s between queries of the number of workers
 LEAST = 4  # chunks of tasks in flight, however few workers there are
 PATIENCE = 20  # s, timeout of the connection to a scheduler
 GOODBYE = 5  # s, timeout of closing it
@@ -131,7 +131,7 @@ def _prefetch(client: Dask) -> Callable[[], int]:
     seen = {"at": float("-inf"), "most": 0}
 
     def prefetch() -> int:
-        if time.monotonic() - seen["at"] > ASKED:
+        if time.monotonic() - seen["at"] > QUERY_INTERVAL:
             threads = sum(client.nthreads().values())
             seen.update(at=time.monotonic(), most=max(LEAST, PREFETCH * threads))
         return int(seen["most"])

@@ -26,7 +26,7 @@ class CoursePlugin(WorkerPlugin):
 
     def __init__(self, files: Mapping[str, bytes], unconfined: bool) -> None:
         self.name = f"tam570-{hashlib.sha256(repr((sorted(files.items()), unconfined)).encode()).hexdigest()[:16]}"
-        self.files, self.unconfined, self.coordinator = files, unconfined, _kind()
+        self.files, self.unconfined, self.coordinator = files, unconfined, _environment()
         self.folder, self.refuses = Path(), ""
 
     def setup(self, worker: Worker) -> None:
@@ -47,7 +47,7 @@ class CoursePlugin(WorkerPlugin):
 
     def _refusal(self) -> str:
         """Return why this worker must not grade (other versions, no bubblewrap), with the remedy; "" if it may."""
-        mine = _kind()
+        mine = _environment()
         other = [
             f"{what} {mine[what]}, not {coordinators}"
             for what, coordinators in self.coordinator.items()
@@ -83,7 +83,7 @@ def there(name: str, work: Callable[[Any], Any], task: Any) -> Any:
 
 
 @functools.cache
-def _kind() -> dict[str, str]:
+def _environment() -> dict[str, str]:
     """Return what two machines must have in common to give the same scores: code, Python, architecture, libraries."""
     libraries = {name: importlib.metadata.version(name) for name in LIBRARIES}
     engine = assignments.engine_digest().hex()[:12]

@@ -30,7 +30,7 @@ from tam570_grader.sandbox.pool import TRIES, sandboxes
 PREFETCH = 2  # chunks in flight per job: one in work, one waiting
 CHUNK = 8  # most tasks per chunk; sending a task costs the coordinator more than reading its submission
 SERVE = "import sys; from tam570_grader.grading.executor import serve; serve(int(sys.argv[1]))"
-HEARD = 0.5  # s, longest wait, so that an interrupt is handled soon
+LONGEST_WAIT = 0.5  # s, longest wait, so that an interrupt is handled soon
 T = TypeVar("T")
 Outcome = TypeVar("Outcome")
 
@@ -106,7 +106,7 @@ def _next(ended: SimpleQueue[Outcome]) -> Outcome:
     """Return the next completed future. Wait in short intervals: a signal just before a wait is handled after it."""
     while True:
         with contextlib.suppress(Empty):
-            return ended.get(timeout=HEARD)
+            return ended.get(timeout=LONGEST_WAIT)
 
 
 def _each(work: Callable[[T], Outcome], tasks: Sequence[T]) -> list[Outcome]:
@@ -157,7 +157,7 @@ class _Processes(ThreadPoolExecutor):
     def submit(self, work: Function, /, *args: Any, **kwargs: Any) -> Future[Any]:
         while len(self._all) < self._jobs:  # before the pool has threads, so that workers can be forked
             self._idle.put(self._start())
-        return super().submit(self._done_there, (work, args, kwargs))
+        return super().submit(self._run_in_process, (work, args, kwargs))
 
     def _start(self) -> "_Process":
         with self._lock:
@@ -166,7 +166,7 @@ class _Processes(ThreadPoolExecutor):
             self._all.append(process := _Process(self._all))
         return process
 
-    def _done_there(self, order: Any) -> Any:
+    def _run_in_process(self, order: Any) -> Any:
         process = self._idle.get()
         try:
             process = process or self._start()

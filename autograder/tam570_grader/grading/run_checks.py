@@ -283,7 +283,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
             continue
         module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
         for function in used:
-            setattr(module, function, partial(_asked, getattr(run.student, function)))
+            setattr(module, function, partial(_call_aside, getattr(run.student, function)))
         try:
             with budget():
                 if explains(assignment.solution, partial(computed, module), calls):
@@ -378,7 +378,7 @@ def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
     return parts(answer) if isinstance(result, tuple) else [np.asarray(answer, float)]
 
 
-def _asked(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
+def _call_aside(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
     try:
         return function.aside(Case(*args, **kwargs))
     except Failed as failed:  # `computed` turns ValueError into "no value"

@@ -153,7 +153,7 @@ def markdown_without_html(context: Any, source: str) -> str:
 
 
 class KeepPictures(NbGraderPreprocessor):  # type: ignore[misc]
-    """Preprocessor that keeps text and pictures of cells that are not executed, and drops what a browser would run."""
+    """Preprocessor that keeps text and pictures of cells, as none is executed, and drops what a browser would run."""
 
     def preprocess_cell(self, cell: Notebook, resources: Resources, cell_index: int) -> Outcome:
         if cell.cell_type == "code":

@@ -27,7 +27,7 @@ MOST_BLOCKS = 50  # limits what the name of the function that raises can reveal 
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
-class Asked(Protocol):
+class StudentLike(Protocol):
     """The part of `Student` that a SandboxFunction uses."""
 
     calls: list[Call]
@@ -47,7 +47,7 @@ class Asked(Protocol):
 class SandboxFunction:
     """A student's function of the contract."""
 
-    student: Asked
+    student: StudentLike
     name: str
     returns: Any
     banned: Sequence[str] = ()  # names that are off limits in it

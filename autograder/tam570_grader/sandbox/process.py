@@ -46,10 +46,10 @@ class SandboxProcess:
         self._cpu = 0.0  # s, CPU time at the end
         # time and CPU time when we last checked whether the CPU time grows
         self._looked_at = (0.0, 0.0)
-        self._stood_still = 0.0  # s in which the supervisor, or the whole machine, was suspended
+        self._suspended = 0.0  # s in which the supervisor, or the whole machine, was suspended
         self.monitored = True  # False if the monitor does not answer at the end
         self.killed_from_outside = False  # known at the end, from the monitor
-        self._last_words: list[str] = []  # the monitor's final message, after the process has ended
+        self._final_message: list[str] = []  # the monitor's final message, after the process has ended
 
     def send(self, request: Any) -> None:
         """Send a request (bytes, or data to pack); raise ProcessLost or ProcessTimeout on failure."""
@@ -109,7 +109,7 @@ class SandboxProcess:
         """
         try:
             self._order(b"c")
-            return float(self._heard()[0])
+            return float(self._monitor_message()[0])
         except (OSError, IndexError):
             raise ProcessLost from None
 
@@ -117,8 +117,8 @@ class SandboxProcess:
         """Kill the process and return its CPU seconds. If the monitor does not answer, it has died with its zygote."""
         try:
             self._order(b"e" if self._ended else b"k")
-            self._hear_last_words()
-            self._cpu, self.killed_from_outside = float(self._last_words[0]), self._last_words[1] == "1"
+            self._await_final_message()
+            self._cpu, self.killed_from_outside = float(self._final_message[0]), self._final_message[1] == "1"
         except OSError:
             self.monitored, self._cpu = False, max(self._cpu, self._waited)
             self.leash.close()
@@ -139,17 +139,17 @@ class SandboxProcess:
         """Return whether the process was dropped and has ended; raise OSError if its monitor has ended."""
         if self._channel.fileno() >= 0:
             return False
-        if self.monitored and not self._last_words:
+        if self.monitored and not self._final_message:
             said = select.poll()
             said.register(self.leash, select.POLLIN)
             if not said.poll(0):
                 return False
-        self._hear_last_words()
+        self._await_final_message()
         return True
 
-    def _hear_last_words(self) -> None:
-        while not self._last_words:
-            self._heard()  # skip answers to earlier orders
+    def _await_final_message(self) -> None:
+        while not self._final_message:
+            self._monitor_message()  # skip answers to earlier orders
 
     def _ready(self, event: int, seconds: float) -> bool:
         """Return whether the channel can be read or written within these seconds of `_clock`; notice suspensions."""
@@ -159,13 +159,13 @@ class SandboxProcess:
             wait, started = min(max(0.0, end - self._clock()), GLANCE), time.monotonic()
             if poll.poll(wait * 1000):
                 return True
-            self._stood_still += max(0.0, time.monotonic() - started - wait)
+            self._suspended += max(0.0, time.monotonic() - started - wait)
             if self._clock() >= end:
                 return False
 
     def _clock(self) -> float:
         """Return seconds without suspensions: a submission that was suspended together with us is not late."""
-        return time.monotonic() - self._stood_still
+        return time.monotonic() - self._suspended
 
     def _read(self) -> None:
         try:
@@ -214,14 +214,14 @@ class SandboxProcess:
         with suppress(ConnectionError):
             self.leash.sendall(order)
 
-    def _heard(self) -> list[str]:
+    def _monitor_message(self) -> list[str]:
         """Return the words of the monitor's next message; after its final message, always those."""
         line = b""
-        while not self._last_words and not line.endswith(b"\n"):
+        while not self._final_message and not line.endswith(b"\n"):
             chunk = self.leash.recv(1)
             if not chunk:
                 raise OSError("the monitor has gone")
             line += chunk
         words = line.decode().split()
-        self._last_words = self._last_words or (words if len(words) > 1 else [])
-        return self._last_words or words
+        self._final_message = self._final_message or (words if len(words) > 1 else [])
+        return self._final_message or words

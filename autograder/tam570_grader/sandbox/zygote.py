@@ -28,7 +28,7 @@ def endless():
     while True:
         pass
 """
-ASKED = {"mode": "value", "refused": []}
+REQUEST = {"mode": "value", "refused": []}
 STOPPED_AFTER = 0.002  # s, time limit of the endless call
 
 _serial = itertools.count()
@@ -72,7 +72,7 @@ class Zygote:
         self._order: Json = {}  # the last order
         self._spare: SandboxProcess | None = None  # a process for the next equal order
         with suppress(ZygoteLost):
-            self._canary = self._asked_canary()
+            self._canary = self._start_canary()
 
     @property
     def user(self) -> int | None:
@@ -158,7 +158,7 @@ class Zygote:
             process.end()
             raise NotConfined(reply["confined"])
 
-    def _asked_canary(self) -> SandboxProcess:
+    def _start_canary(self) -> SandboxProcess:
         """Return a process to which the canary and its right call have been sent; do not wait: the zygote may start.
 
         The sockets buffer the order to open the process, behind the settings, and the requests.
@@ -167,7 +167,7 @@ class Zygote:
         load = {"source": CANARY, "notebook": False, "name": "canary", "functions": ["right", "endless"]}
         with suppress(ProcessLost, ProcessTimeout):  # `try_out` will notice
             process.send({**load, "uncallable": [], "forbidden": []})
-            process.send({**ASKED, "function": "right", "calls": [[[1.5], {}]]})
+            process.send({**REQUEST, "function": "right", "calls": [[[1.5], {}]]})
         return process
 
     def try_out(self) -> None:
@@ -175,7 +175,7 @@ class Zygote:
         if self._ready:
             return
         self._await_ready()
-        process, self._canary = self._canary or self._asked_canary(), None
+        process, self._canary = self._canary or self._start_canary(), None
         self._must_be_confined(process)
         try:
             for _ in range(2):
@@ -224,7 +224,7 @@ def _is_stopped(process: SandboxProcess) -> bool:
     """Return whether an endless call raises ProcessTimeout."""
     process.limit = STOPPED_AFTER
     try:
-        process.send({**ASKED, "function": "endless", "calls": [[[], {}]]})
+        process.send({**REQUEST, "function": "endless", "calls": [[[], {}]]})
         process.receive(lambda reply: reply)
     except ProcessTimeout:
         return True
