@@ -42,7 +42,7 @@ from tam570_grader.sandbox.zygote import Zygote
 OUR_FAULT = "The grader failed here, not you; your teacher has been told."
 TOO_MUCH = "what it returns takes the grader too much {} to judge"
 FOLLOWING_SHARE = 2 / 3  # of the points, if the only fault is a mistake that an earlier check already charged
-UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # two functions differ in their signatures
+UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # arguments or results differ in form
 HELPER = re.compile(r"\bdef (\w+)\(")
 MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls compared, passing calls added to a search
 Recorder = Callable[[str, float], None]

@@ -123,7 +123,7 @@ def source_of(submission: Submission) -> Source | CannotRead:
 
 
 def _own(path: Path, tree: Path) -> bool:
-    """Return whether a path, with links resolved, is in the student's folder, itself not a link to another's."""
+    """Return whether a path, with links resolved, is in the student's folder; False if that is a link to elsewhere."""
     if _is_plainly_in(str(path), str(tree)):
         return True
     try:

@@ -1,4 +1,4 @@
-"""Local web pages to grade by hand (`tam570-grader mark`), only for this machine and whoever has the secret address.
+"""Web pages to grade by hand (`tam570-grader mark`), which are served only to this machine, at a secret address.
 
 Saving writes rows of by_hand.csv: the points of each part, and a comment that lists the satisfied claims of the rubric.
 Nothing else is stored.

@@ -16,7 +16,7 @@ V = TypeVar("V")
 DELIMITERS = ",;\t"
 # first characters of formulas; spreadsheets treat the full-width forms alike
 FORMULA = "=+\\-@\t\r\n\uff1d\uff0b\uff0d\uff20"
-# where a cell begins: at the start, or where a spreadsheet with another delimiter splits; further quotes are kept
+# where a cell begins: at the start, or where a spreadsheet with another delimiter splits (also before own quotes)
 START = r"(?:\A|(?<=[;\t\r\n]))"
 BEFORE_FORMULA = re.compile(rf"{START}(?='*[{FORMULA}])")
 QUOTED = re.compile(rf"({START})'(?='*[{FORMULA}])")
