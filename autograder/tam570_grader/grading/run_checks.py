@@ -296,10 +296,10 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
 def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | None:
     """Return a cause that names an earlier wrong function with the same mistake, else None.
 
-    One of the two must call the other, or both the same helper. In addition, both got the same message, or both fail in
-    the same words at the same sort of input, or they return the same wrong number where the right numbers are equal, or
-    a solution that uses the other function (although the student may not call it) reproduces these results, or one
-    mutant of code that a solution shares explains both.
+    One of the two must call the other, or both the same helper. In addition, both got the same diagnosis, or both fail
+    with the same message at inputs with the same label, or they return the same wrong number where the right numbers
+    are equal, or a solution that uses the other function (although the student may not call it) reproduces these
+    results, or one mutant of code that a solution shares explains both.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
@@ -342,7 +342,7 @@ def _input_with_numbers(run: _Run, failure: Failure) -> object:
 
 
 def _same_words(before: Failure, failure: Failure) -> bool:
-    """Return whether two functions fail in the same words at inputs of the same label: neither refuses them, say."""
+    """Return whether two functions fail with the same message at inputs with the same label (neither raises, say)."""
     alike = before.message.replace(before.function, failure.function) == failure.message != ""
     return alike and before.label == failure.label != ""
 

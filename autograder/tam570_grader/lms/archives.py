@@ -21,7 +21,7 @@ METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescop
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes, least size of a file's entry in a zip file's directory
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # decompressors of other methods have no size limit
-JUNK = ("__MACOSX", ".DS_Store", "index.html")  # of systems, and of Brightspace, beside the files
+JUNK = ("__MACOSX", ".DS_Store", "index.html")  # files that operating systems and Brightspace add
 
 
 @dataclass(frozen=True)
@@ -78,9 +78,9 @@ def members(source: Path) -> Iterator[File]:
 
 
 def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File]:
-    """Return the work in a student's zip file, below its path; where it cannot be read, the file itself says why.
+    """Return the work in a student's zip file, with paths below its path; if it cannot be read, one refused file.
 
-    nested : it was in another zip file, as of a student who packs what `tam570 handin` made; a third is not opened
+    nested : it was in another zip file (a student may pack the output of `tam570 handin`), so open no third one
     """
     try:
         end = packed.data.rfind(b"PK\5\6")  # gives the size of the directory, which may be too slow to read
@@ -108,7 +108,7 @@ def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File
 
 
 def is_zip(name: str) -> bool:
-    """Return whether a file is a zip file, by its name."""
+    """Return whether a file's name is that of a zip file."""
     return name.lower().endswith(".zip")
 
 

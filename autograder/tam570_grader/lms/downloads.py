@@ -12,7 +12,7 @@ from tam570_grader.lms.archives import File, is_beside, is_zip
 from tam570_grader.lms.systems import SYSTEMS, System
 from tam570_grader.results.collected import form
 
-RELEASED = ("README.md", "figure.svg", "NOTATION.md")  # with the assignment, into each repository
+RELEASED = ("README.md", "figure.svg", "NOTATION.md")  # files of the assignment in each repository
 AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # Canvas's number in the name of a file that is handed in again
 
 
@@ -106,7 +106,7 @@ def _of_repositories(files: Sequence[File], system: System) -> Iterator[Handed |
 
 
 def _is_handed_in(name: str) -> bool:
-    """Return whether a file of a repository is a student's work, packed work, or drawings and words."""
+    """Return whether a file of a repository is a student's work, a zip file, or a drawing or text beside the work."""
     return name not in RELEASED and (bool(form(name)) or is_zip(name) or is_beside(name))
 
 
