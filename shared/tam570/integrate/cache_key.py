@@ -1,8 +1,9 @@
-"""All that a function's result can depend on, as one hashable value: two of a kind compute the same.
+"""Hashable keys of functions: functions with equal keys compute the same.
 
-Code, defaults, what closures and globals hold, and so for every function that is called. Only a function that is seen
-to be one of numbers alone has a key, and only that is traced: it compares no types, catches no errors, keeps nothing
-from call to call, and uses no names but those listed here. Any other is called as it stands, with arrays.
+A key contains code, defaults, and the values in closures and globals, also of all functions that are called. Only
+functions that evidently compute numbers from numbers have a key and are traced: they compare no identities, catch no
+errors except CAUGHT, keep no state between calls, and use only the names listed here. All others are called with
+arrays, untraced.
 """
 
 import dis
@@ -18,11 +19,11 @@ import numpy as np
 
 from tam570.values import Function, Parameters
 
-Captured: TypeAlias = Any  # whatever a right-hand side refers to
+Captured: TypeAlias = Any  # an object that a right-hand side refers to
 
-LONGEST = 1000  # numbers in a list or an array: more take longer to look at than to trace
-CONSTANT = ("math", "numpy")  # modules
-TRUSTED = ("tam570.arguments", "tam570.meter")  # ours, whose functions look at parameters and refuse, or count
+LONGEST = 1000  # items of a list or array, at most: with more, the key takes longer than the trace
+CONSTANT = ("math", "numpy")  # modules that do not change
+TRUSTED = ("tam570.arguments", "tam570.meter")  # modules of this package that validate parameters or count steps
 
 
 def _words(text: str) -> frozenset[str]:
@@ -46,35 +47,35 @@ METHODS = _words(
     """T all any astype copy cumsum diagonal dot flatten floating format integer items join keys max min ndarray ndim
     prod ravel reshape round shape size sum tolist values"""
 )
-CHANGING = _words("append extend insert fill")  # methods, as setting an item: of what is made inside
+CHANGING = _words("append extend insert fill")  # methods that modify; see `Reach.changes`
 ATTRIBUTES = MATH | ARRAY_FUNCTIONS | METHODS | CHANGING
-CAUGHT = _words("ValueError ArithmeticError ZeroDivisionError OverflowError")  # errors that no unknown number raises
+CAUGHT = _words("ValueError ArithmeticError ZeroDivisionError OverflowError")  # errors that a symbol never raises
 FORBIDDEN = _words(
     """STORE_GLOBAL DELETE_GLOBAL STORE_ATTR DELETE_ATTR IMPORT_NAME IMPORT_FROM LOAD_NAME STORE_NAME BEFORE_WITH
     WITH_EXCEPT_START LOAD_SPECIAL LOAD_BUILD_CLASS MATCH_CLASS LOAD_SUPER_ATTR GET_AWAITABLE"""
-)  # instructions
+)  # bytecode instructions
 
 
 class Changeable(Exception):
-    """The function depends on something that may change unseen."""
+    """Raised if a function has no key, because something that it depends on may change unnoticed."""
 
 
 class Reach:
-    """What a key was made of: the functions seen on the way, one may call itself, and all that they refer to."""
+    """The functions behind a key and all that they refer to, to recognize unchanged ones without a new key."""
 
     def __init__(self) -> None:
-        self.numbers: dict[int, int] = {}
+        self.numbers: dict[int, int] = {}  # number of each function by its id, for recursive calls
         self.functions: list[tuple[types.FunctionType, types.CodeType, Captured]] = []
         self.cells: list[tuple[types.CellType, Captured]] = []
         self.names: list[tuple[dict[str, Captured], str, Captured]] = []
-        self.has_lists = False  # or arrays, or what else may change as it is
-        self.changes = False  # something sets items
-        self.is_fixed = True  # the same objects are the same key
+        self.has_lists = False  # whether they refer to lists, arrays or dicts
+        self.changes = False  # whether code modifies objects; allowed only without such data
+        self.is_fixed = True  # whether the same objects always have the same key
         self.key: Hashable = None
-        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = None  # with the whole key
+        self.parameters: tuple[tuple[str, ...], tuple[Captured, ...], Hashable] | None = None  # and the key with them
 
     def is_same(self) -> bool:
-        """Return whether all refer to the very objects of the time when the key was made."""
+        """Return whether all functions still refer to the same objects as when the key was computed."""
         for function, code, defaults in self.functions:
             if function.__code__ is not code or function.__defaults__ is not defaults or function.__kwdefaults__:
                 return False
@@ -83,12 +84,12 @@ class Reach:
                 return False
         try:
             return all(cell.cell_contents is content for cell, content in self.cells)
-        except ValueError:  # empty by now
+        except ValueError:  # a cell has become empty
             return False
 
 
 def cache_key(value: Captured, reach: Reach | None = None) -> Hashable:
-    """Equal for what computes the same. Raises `Changeable`. reach : what was seen on the way."""
+    """Return the key of a value, or raise `Changeable` if it has none. reach : records what the key depends on."""
     read = READERS.get(type(value))
     if read:
         return read(value, Reach() if reach is None else reach)
@@ -100,7 +101,7 @@ def cache_key(value: Captured, reach: Reach | None = None) -> Hashable:
 
 
 def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
-    """Return the key of a right-hand side with its parameters. Raises `Changeable`."""
+    """Return the key of a right-hand side with its parameters, or raise `Changeable` if it has none."""
     if parameters and not hasattr(parameters, "values"):
         raise Changeable("parameters that are no mapping")
     last = _last.get(rhs) if isinstance(rhs, types.FunctionType) else None
@@ -130,12 +131,12 @@ def call_key(rhs: Function, parameters: Parameters | None) -> Hashable:
 
 @lru_cache(maxsize=256)
 def cache_slot(key: Hashable) -> list[Captured]:
-    """Return the place of what is kept for a key; an empty list at first."""
+    """Return the list in which results for a key are cached; empty at first."""
     return []
 
 
 def _number(value: Captured, _: Captured) -> Hashable:
-    return (type(value), value) if value else (type(value), repr(value))  # 0.0 equals -0.0
+    return (type(value), value) if value else (type(value), repr(value))  # 0.0 == -0.0, so their text is compared
 
 
 def _sequence(value: Captured, reach: Reach) -> Hashable:
@@ -214,7 +215,7 @@ def _function(value: types.FunctionType, reach: Reach) -> Hashable:
 
 @lru_cache(maxsize=1024)
 def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
-    """Return the global names of a code, whether it changes arrays or lists, and why it is not one of numbers alone."""
+    """Return the global names in a code object, whether it modifies objects, and why it has no key (else empty)."""
     names, changes = set[str](), False
     for part in _parts(code):
         before, catching = None, False
@@ -241,14 +242,14 @@ def _looked_up(code: types.CodeType) -> tuple[tuple[str, ...], bool, str]:
 
 @lru_cache(maxsize=1024)
 def global_names(code: types.CodeType) -> set[str]:
-    """Names that a code, or one inside it, looks up outside of its function; none of attributes."""
+    """Return the names that a code object, or one nested in it, looks up as globals; without attributes."""
     lines = (line for part in _parts(code) for line in _instructions(part))
     return {line.argval for line in lines if line.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
 
 
 @lru_cache(maxsize=64)
 def _instructions(code: types.CodeType) -> list[dis.Instruction]:
-    """List the instructions of a code, which are asked for by a key and then by a trace."""
+    """Return the instructions of a code object; cached, because both the key and the trace need them."""
     return [*dis.get_instructions(code)]
 
 
@@ -259,8 +260,8 @@ def _parts(code: types.CodeType) -> Iterable[types.CodeType]:
             yield from _parts(constant)
 
 
-_last: dict[types.FunctionType, Reach] = {}  # of the last call of a right-hand side
-MOST = 64  # of them
+_last: dict[types.FunctionType, Reach] = {}  # for the last call of each right-hand side
+MOST = 64  # entries of `_last`
 READERS: dict[type, Callable[[Captured, Reach], Hashable]] = {
     **dict.fromkeys((float, int, bool, complex, str, bytes), _number),
     type(None): lambda value, _: value,

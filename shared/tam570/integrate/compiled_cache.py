@@ -30,7 +30,7 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
         from tam570.integrate.compiled import backend
 
         runs = backend.taylor_repeated(run, partial(run.watch, COMPILED))
-    except (ImportError, OSError, RuntimeError):  # a broken llvmlite: `solve` can do without
+    except (ImportError, OSError, RuntimeError):  # llvmlite is broken: `solve` continues in Python
         runs = None
     return runs or _nothing
 

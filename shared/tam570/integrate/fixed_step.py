@@ -1,10 +1,10 @@
-"""Long runs at a fixed step by two methods that keep the structure of mechanics.
+"""Two methods with a fixed step size for long runs, which preserve the structure of mechanics.
 
-"gauss": Gauss-Legendre collocation of six stages, order 12, symplectic and symmetric for any Hamiltonian. The
-coefficients are split in two doubles: rounded to one, they make the energy drift. Hairer, McLachlan, Razakarivony,
+"gauss": Gauss-Legendre collocation with six stages, order 12, symplectic and symmetric for any Hamiltonian. Each
+coefficient is the sum of two doubles; rounded to one, they make the energy drift. Hairer, McLachlan, Razakarivony,
 Achieving Brouwer's law with implicit Runge-Kutta methods, BIT 2008.
-"composition": 17 leapfrogs, order 8, symmetric, for a state (q, v) with q' a function of v and v' one of q. The
-constants are those of Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
+"composition": 17 leapfrog steps, order 8, symmetric, for a state (q, v) where q' depends only on v and v' only on q.
+Constants of Kahan and Li, Composition constants for raising the orders of unconventional schemes, 1997.
 """
 
 import math
@@ -22,26 +22,26 @@ from tam570.integrate.formulas import Formulas, halves, names, tuple_of, unpacke
 from tam570.integrate.watch import repays
 from tam570.values import Function, Numbers
 
-METHODS = {"gauss": 3.5, "composition": 0.5}  # step over the shortest that DOP853 takes at the same rtol
-SWEEPS = {"gauss": 0.7, "composition": 0.1}  # over the lines of the source in a step, a twelfth: as `repays` counts
-DIGITS = 45
+METHODS = {"gauss": 3.5, "composition": 0.5}  # step size in units of the shortest step of DOP853 at the same rtol
+SWEEPS = {"gauss": 0.7, "composition": 0.1}  # passes through the source per step, over the 12 stages of `repays`
+DIGITS = 45  # decimal digits of the tableau before it is split
 NODES = """0.033765242898423986093849222753002695432617131144 0.169395306766867743169300202490047326496775717802
-0.380690406958401545684749139159644032290694684930"""  # the smaller half, zeros of Legendre's polynomial on (0, 1)
+0.380690406958401545684749139159644032290694684930"""  # zeros of Legendre's polynomial on (0, 1), the smaller h
 LEAPS = """0.13020248308889008087881763 0.56116298177510838456196441 -0.38947496264484728640807860
 0.15884190655515560089621075 -0.39590389413323757733623154 0.18453964097831570709183254
 0.25837438768632204729397911 0.29501172360931029887096624 -0.60550853383003451169892108"""  # the first half, and middle
 
-Pair = tuple[float, float]  # a double, and what it lacks
+Pair = tuple[float, float]  # a number rounded to a double, and the remainder
 
 
 class FixedState(NamedTuple):
-    """Where a run is."""
+    """State of a run."""
 
     row: int  # the next sample
-    done: int  # steps
+    done: int  # number of steps
     y: tuple[float, ...]
-    r: tuple[float, ...]  # what rounding took from y
-    k: tuple[float, ...]  # first guess of the next step's stages
+    r: tuple[float, ...]  # compensation: round-off lost from y (Kahan)
+    k: tuple[float, ...]  # initial guess for the stages of the next step
 
 
 def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
@@ -50,19 +50,19 @@ def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
     def march(
         origin: Numbers, times: Numbers, out: Numbers, state: Numbers, c: Numbers, h: Numbers, budget: Numbers
     ) -> Numbers:
-        """Fill the rows of `out` until none is left or `budget` steps are spent.
+        """Fill the rows of `out` until none is left or `budget` steps are done.
 
-        times : since `origin`; state : a `FixedState`, as returned. A sample inside a step is reached by a
-        shorter step from the step's start that leaves the motion alone.
+        times : since `origin`; state : a `FixedState`, as returned. A sample inside a step is computed by an
+        extra, shorter step from the start of the step.
         """
         row, done, y, r, k = state
         while row < len(times) and budget > 0:
             budget -= 1
-            t = done * h  # not summed up: no error of time grows
+            t = done * h  # not a running sum, whose round-off would grow
             n, rest, onward = leap(origin + t, h, y, r, k, c)
             while row < len(times) and times[row] <= t + h * (1.0 + 2.0**-40):
                 sample = n
-                if times[row] < t + h * (1.0 - 2.0**-40):  # a sample this close to the end of a step is its end
+                if times[row] < t + h * (1.0 - 2.0**-40):  # else the sample is at the end, up to round-off
                     sample = leap(origin + t, times[row] - t, y, r, k, c)[0]
                 for i in range(len(n)):
                     out[row, i] = sample[i]
@@ -74,7 +74,7 @@ def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
 
 
 def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
-    """Source of leap(start, h, y, r, k, c): drifts move q by v, kicks move v by q; sums are compensated."""
+    """Return source of leap(start, h, y, r, k, c): drifts change q, kicks change v, with compensated sums."""
     half = len(drift.rates)
     leaps = [float(leap) for leap in (*LEAPS.split(), *LEAPS.split()[-2::-1])]
     drifts = [(a + b) / 2 for a, b in zip([0.0, *leaps], [*leaps, 0.0], strict=True)]
@@ -94,7 +94,7 @@ def composition_source(drift: Formulas, kick: Formulas, constants: int) -> str:
 
 @cache
 def gauss_tableau() -> tuple[list[list[Pair]], list[Pair], list[float], list[list[float]]]:
-    """Coefficients and weights, each split in two doubles; nodes; how the next step's stages follow from these."""
+    """Return coefficients and weights, each split in two doubles; nodes; matrix that predicts the next stages."""
     polyval: Function = np.polynomial.polynomial.polyval
     with localcontext() as context:
         context.prec = DIGITS
@@ -118,7 +118,7 @@ def _split(x: Decimal) -> Pair:
 
 
 def gauss_source(formulas: Formulas) -> str:
-    """Source of leap(start, h, y, r, k, c): new state, its rounding, guess of the next stages' derivatives."""
+    """Return source of leap(start, h, y, r, k, c): new state, compensation, guess for the next stages' derivatives."""
     rows, weights, nodes, onward = gauss_tableau()
     size = formulas.size
     stages = tuple_of(f"k{j}_{i}" for j in range(len(nodes)) for i in range(size))
@@ -126,13 +126,13 @@ def gauss_source(formulas: Formulas) -> str:
     lines += ["while sweep < 60:", "    sweep += 1", "    before = change", "    change = 0.0"]
     for number, (row, node) in enumerate(zip(rows, nodes, strict=True)):
         lines += [f"    {line}" for line in _collocation(formulas, number, row, node)]
-    # Rounding sets the end: a change that no longer shrinks is rounding.
+    # Iterate until the change stops shrinking, since it is then round-off.
     lines += ["    if change == 0.0 or (change >= before and sweep > 3):", "        break"]
-    lines += ["if not change < 1e-9 * (1.0 + first):", "    y0 = nan"]  # it did not settle: the step is too long
+    lines += ["if not change < 1e-9 * (1.0 + first):", "    y0 = nan"]  # no convergence: the step is too long
     for i in range(size):
         low, high = (" + ".join(f"{w[part]!r} * k{j}_{i}" for j, w in enumerate(weights)) for part in (1, 0))
         lines += [f"d = h * ({high})", f"rest = h * ({low}) + r{i}", *sum_and_error(f"y{i}", "d")]
-        # Were `rest` added to d first, its tail would go the same way at every step.
+        # Adding `rest` to d first would give round-off of the same sign at every step.
         lines += ["rest += error", f"n{i} = n + rest", f"r{i} = rest - (n{i} - n)"]
     guesses = (" + ".join(f"{w!r} * k{j}_{i}" for j, w in enumerate(row)) for row in onward for i in range(size))
     lines.append(f"return {tuple_of(names('n', size))}, {tuple_of(names('r', size))}, {tuple_of(guesses)}")
@@ -140,12 +140,12 @@ def gauss_source(formulas: Formulas) -> str:
 
 
 def sum_and_error(y: str, d: str) -> list[str]:
-    """n = y + d and what it lacks, whichever is larger: where y passes zero, d - (n - y) errs, always one way."""
+    """Return lines for n = y + d and its round-off; d - (n - y) would have a systematic error where y passes zero."""
     return [f"n = {y} + {d}", f"part = n - {y}", f"error = ({y} - (n - part)) + ({d} - part)"]
 
 
 def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) -> list[str]:
-    """Lines that renew the derivatives of one stage (by the newest of the others: Gauss-Seidel)."""
+    """Return lines that update the derivatives of a stage from the latest ones of all stages (Gauss-Seidel)."""
     lines = [f"t = start + {node!r} * h"] if formulas.timed else []
     if number == 0:
         lines.append("first = 0.0")
@@ -159,7 +159,7 @@ def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) 
 
 
 def states(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> Array:
-    """(n, k) states at `times`, all steps of the same length."""
+    """Return (n, k) states at `times`; ArithmeticError if the stages do not converge at this step size."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
@@ -185,7 +185,7 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
 
             compiled = backend.fixed(source, len(start), len(state.k), len(constants))
             backend.by_moments(partial(run, compiled, since), share, state)
-        except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+        except (ImportError, OSError, RuntimeError):  # llvmlite is broken: continue in Python
             run(python, listed, state, FOREVER)
     else:
         run(python, listed, state, FOREVER)
@@ -195,7 +195,7 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
 
 
 def _step(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> float:
-    """Return a step that divides the whole run, no longer than asked for."""
+    """Return a step size, s, that divides the run: at most `step`, by default what the tolerance allows."""
     if step is not None and not 0 < step < math.inf:
         raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])

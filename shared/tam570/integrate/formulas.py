@@ -1,4 +1,4 @@
-"""A recorded right-hand side as source: assignments from t, s0, s1, ... and c0, c1, ... to one expression a rate."""
+"""Traced right-hand sides as source: assignments from t, s0, s1, ... and c0, c1, ..., and an expression per rate."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -7,34 +7,34 @@ from functools import cached_property
 from tam570.integrate.trace import Graph, Symbol, Value
 
 UNIT_ROUNDOFF = 2.0**-53
-SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # whose change takes place at arguments near zero
-BENT = {"fabs", "cbrt"}  # where their argument passes zero
-LONGEST = 200  # characters of one expression: brackets in brackets have a limit
+SATURATING = {"exp", "expm1", "tanh", "erf", "erfc", "sinh", "cosh"}  # change mainly at arguments near zero
+BENT = {"fabs", "cbrt"}  # have a kink or infinite slope at zero
+LONGEST = 200  # characters of an expression; Python limits the depth of nested parentheses
 
 
 @dataclass(frozen=True)
 class Bounds:
     """A running error bound of a right-hand side, as source."""
 
-    values: tuple[str, ...]  # lines that set z0, z1, ... to the result of each operation
-    lines: tuple[str, ...]  # lines that set b0, b1, ... to a bound of its rounding, from b_s0, b_s1, ... and b_t
+    values: tuple[str, ...]  # lines that set z0, z1, ... to the results of the operations
+    lines: tuple[str, ...]  # lines that set b0, b1, ... to bounds of their round-off, from b_s0, b_s1, ... and b_t
     rates: tuple[str, ...]  # the bounds of the rates
-    exponents: tuple[str, ...]  # arguments of exp, tanh and their like that depend on the state, by `values`
-    bends: tuple[str, ...]  # the same of abs and its like
+    exponents: tuple[str, ...]  # arguments of SATURATING operations that depend on the state, in terms of `values`
+    bends: tuple[str, ...]  # the same of BENT operations
 
 
 @dataclass(frozen=True)
 class Formulas:
-    """A right-hand side as source: `lines` from t, s0, s1, ... and c0, c1, ... to the expressions `rates`."""
+    """A right-hand side as source: `lines` compute variables from t, s0, s1, ... and c0, c1, ... for the `rates`."""
 
     lines: tuple[str, ...]
     rates: tuple[str, ...]
     constants: int = 0
-    reads: frozenset[int] = frozenset()  # the components of the state that occur at all
-    timed: bool = False
-    saturates: bool = False  # whether exp, tanh or their like occur
-    is_bent: bool = False  # whether abs or its like occur
-    # what they were written from; equal formulas have equal bounds
+    reads: frozenset[int] = frozenset()  # components of the state that occur
+    timed: bool = False  # whether t occurs
+    saturates: bool = False  # whether SATURATING operations occur
+    is_bent: bool = False  # whether BENT operations occur
+    # what the source was written from; not compared, since equal formulas have equal bounds
     graph: Graph = field(default=Graph((), ()), compare=False, repr=False)
     constant_names: dict[float, str] = field(default_factory=dict, compare=False, repr=False)  # of the constants
 
@@ -44,33 +44,33 @@ class Formulas:
 
     @property
     def moving(self) -> list[int]:
-        """The components that change: a derivative of plain zero needs no stages."""
+        """The components that change; a rate that is constantly zero needs no stages."""
         return [i for i, rate in enumerate(self.rates) if rate != "0.0"]
 
     @cached_property
     def bounds(self) -> Bounds:
-        """The running error bound, which most runs need not."""
+        """The running error bound, written on demand because most runs do not need it."""
         return _bounds(self.graph, self.constant_names)
 
     @property
     def exponents(self) -> tuple[str, ...]:
-        """Arguments of exp, tanh and their like that depend on the state, by the values of the bounds."""
+        """Arguments of SATURATING operations that depend on the state, in terms of `bounds.values`."""
         return self.bounds.exponents if self.saturates else ()
 
     @property
     def bends(self) -> tuple[str, ...]:
-        """Arguments of abs and its like that depend on the state, by the values of the bounds."""
+        """Arguments of BENT operations that depend on the state, in terms of `bounds.values`."""
         return self.bounds.bends if self.is_bent else ()
 
 
 def written(graph: Graph) -> tuple[Formulas, tuple[float, ...]]:
-    """Return the whole right-hand side, and the constants in it."""
+    """Return the formulas of a right-hand side and the values of its constants."""
     constants: dict[float, str] = {}
     return _written(graph, constants), tuple(constants)
 
 
 def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
-    """Return the rates of the first half of the state and those of the second, and the constants of both."""
+    """Return the formulas for the first and second half of the state, and the values of their common constants."""
     constants: dict[float, str] = {}
     _written(graph, constants)
     middle = len(graph.rates) // 2
@@ -80,14 +80,14 @@ def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
 
 
 def call_of(size: int, timed: bool = True) -> Formulas:
-    """Return the right-hand side that is a call of `rhs`; `timed` if it depends on t."""
+    """Return formulas that call `rhs` for `size` components; timed : whether it depends on t."""
     rates = tuple(f"p{i}" for i in range(size))
     line = f"{tuple_of(rates)} = rhs({'t' if timed else '0.0'}, {tuple_of(names('s', size))}, c)"
     return Formulas((line,), rates, 0, frozenset(range(size)), timed)
 
 
 def by_call(formulas: Formulas) -> Formulas:
-    """Return the same right-hand side, as a call of `rhs`: shorter, for a compiler that takes its time."""
+    """Return formulas that call `rhs` but have the same zero rates and inputs: shorter, so faster to compile."""
     rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
     results = tuple_of(f"p{i}" for i in range(formulas.size))
     state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
@@ -96,17 +96,17 @@ def by_call(formulas: Formulas) -> Formulas:
 
 
 def names(letter: str, size: int) -> list[str]:
-    """s0, s1, ..."""
+    """Return the names s0, s1, ... for letter "s"."""
     return [f"{letter}{i}" for i in range(size)]
 
 
 def tuple_of(items: Iterable[str]) -> str:
-    """Source of a tuple, of one or none too; on the left of an assignment it unpacks."""
+    """Return source of a tuple, also of one item or none; it can be the target of an assignment."""
     return "(" + "".join(f"{item}, " for item in items) + ")"
 
 
 def unpacked(formulas: Formulas, **letters: str) -> list[str]:
-    """Lines that unpack a tuple into y0, y1, ... for each `name="y"`, and the constants c if there are any."""
+    """Return lines that unpack the tuple `name` into y0, y1, ... for each `name="y"`, and c into the constants."""
     lines = [f"{tuple_of(names(letter, formulas.size))} = {name}" for name, letter in letters.items()]
     constants = [f"{tuple_of(names('c', formulas.constants))} = c"] if formulas.constants else []
     return lines + constants
@@ -117,7 +117,7 @@ def _texts(
 ) -> tuple[list[str], dict[int, str]]:
     """Return lines that set v0, v1, ... for name = "v", and the text of each operation.
 
-    What is needed once has no name, up to so many characters.
+    An operation that is used once gets no variable, unless it has more than `longest` characters.
     """
     texts: dict[int, str] = {}
     lines: list[str] = []
@@ -150,13 +150,13 @@ def _written(graph: Graph, constants: dict[float, str]) -> Formulas:
 
 
 def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
-    """Bound the rounding: of each operation, what it makes of its arguments' and its own."""
+    """Return source for the error of each operation: that propagated from its arguments plus its round-off."""
     uses = uses_of(graph.operations, graph.rates)
     values, texts = _texts(graph.operations, uses, constants, "z", 0)
     bounds: list[str] = []
 
     def bound(value: Value) -> str:
-        """Return the name of its bound: b3 of z3, b_s1 of the state's s1; none of a number."""
+        """Return the name of a bound: b3 for z3, b_s1 for s1 of the state; empty for a number."""
         text = texts[value.number] if isinstance(value, Symbol) else ""
         return f"b{text[1:]}" if text[:1] == "z" else text and f"b_{text}"
 
@@ -174,7 +174,7 @@ def _bounds(graph: Graph, constants: dict[float, str]) -> Bounds:
 
 
 def _moves_with_state(symbol: Symbol) -> bool:
-    """Return whether it depends on more than time."""
+    """Return whether a symbol depends on the state, not only on time."""
     pending, seen = [symbol], set[int]()
     while pending:
         part = pending.pop()
@@ -186,7 +186,7 @@ def _moves_with_state(symbol: Symbol) -> bool:
 
 
 def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
-    """Source of the bound of z = name(arguments), each with its own bound; empty for what is exact."""
+    """Return source of the bound of z = name(arguments); arguments : pairs of text and bound, empty if exact."""
     of_z = "" if name in ("neg", "fabs") else f"{UNIT_ROUNDOFF if name in '+-*/' else 2 * UNIT_ROUNDOFF!r} * abs({z})"
     (x, dx), (y, dy) = (*arguments, ("", ""))[:2]
     if name in ("+", "-", "neg", "fabs"):
@@ -195,14 +195,14 @@ def _bound_of(name: str, z: str, arguments: list[tuple[str, str]]) -> str:
         parts = [dx and f"abs({y}) * {dx}", dy and f"abs({x}) * {dy}"]
     elif name == "/":
         parts = [dx and f"{dx} / abs({y})", dy and f"abs({z} / {y}) * {dy}"]
-    else:  # by its value there: no derivative is needed, nor one that is infinite
+    else:  # by evaluation at the shifted argument, since a derivative may be infinite
         shifted = [f"{a} + {d}" if d else a for a, d in arguments]
         parts = [f"abs({name}({', '.join(shifted)}) - {z})"]
     return " + ".join(filter(None, (*parts, of_z))) or "0.0"
 
 
 def uses_of(operations: Sequence[Symbol], rates: Sequence[Value]) -> list[int]:
-    """Return how often each symbol is needed; what nobody asks for counts zero."""
+    """Return how often each symbol is used; 0 if no rate depends on it."""
     uses = [0] * len(operations)
     for value in rates:
         if isinstance(value, Symbol):
