@@ -151,8 +151,8 @@ def download(desk):
 
 
 def test_the_next_homework_leaves_the_rows_and_late_days_of_the_last(desk, download):
-    assert download(("ann", "hw07.py", 6, ""), ("ben", "hw07.py", 9, ""))[0] == 0
-    assert download(("ann", "hw08.py", 16, ""), ("ben", "hw08.py", 13, ""))[0] == 0
+    assert download(("ann", "hw07.py", 6, "x"), ("ben", "hw07.py", 9, "x"))[0] == 0
+    assert download(("ann", "hw08.py", 16, "x"), ("ben", "hw08.py", 13, "x"))[0] == 0
     desk.write_results({(row["student"], row["assignment"]): 10.0 for row in desk.rows("collected.csv")})
     assert points(desk)[0] == 0
     assert (desk.scores(HW07), desk.scores(HW08)) == ({"ann": 10, "ben": 8}, {"ann": 8, "ben": 10})
