@@ -1,4 +1,4 @@
-"""What a caller gives, checked: each error names the argument."""
+"""Validates arguments of the solvers; each error message names the argument."""
 
 import math
 import sys
@@ -12,11 +12,11 @@ from tam570.values import Numbers
 
 Array = NDArray[np.float64]
 
-SMALLEST_RTOL = 1e-16  # below that nothing but rounding is left to control
+SMALLEST_RTOL = 1e-16  # below it only round-off remains
 
 
 def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) -> tuple[Numbers, ...]:
-    """Return times and their sign, start, and what is asked of the steps."""
+    """Return times and their sign as by `sample_times`, the start, and the control of the steps."""
     from tam570.integrate.adaptive import Control
 
     (times, sign), start, of_step = sample_times(t), initial_state(y0), of_one_step(tolerance(rtol))
@@ -24,16 +24,16 @@ def checked(t: ArrayLike, y0: ArrayLike, rtol: float, atol: ArrayLike | None) ->
 
 
 def positive(name: str, value: Numbers) -> float:
-    """Return a number above zero, infinity among them. ValueError with its name."""
+    """Return a positive number, which may be infinite; raise ValueError with `name` if it is not one."""
     if not isinstance(value, float | int | np.floating | np.integer) or not value > 0:
         raise ValueError(f"{name}: must be a number above zero, got {value!r}")
     return float(value)
 
 
 def sample_times(t: ArrayLike) -> tuple[Array, float]:
-    """(n,) times that increase, and the sign by which they are those asked for: -1 where these decrease.
+    """Return (n,) increasing times and a sign: -1 if the times in `t` decrease and were negated.
 
-    ValueError unless they are finite, two or more, and increase or decrease.
+    Raise ValueError unless `t` has at least two finite times, strictly increasing or decreasing.
     """
     times = _array("t", t, "a list of numbers")
     if times.ndim != 1 or len(times) < 2:
@@ -64,7 +64,7 @@ def _array(name: str, value: ArrayLike, numbers: str) -> Array:
 
 
 def initial_state(y0: ArrayLike) -> Array:
-    """(k,) or (m, k) as floats. ValueError if empty, not finite or of another shape."""
+    """Return (k,) or (m, k) floats. Raise ValueError if y0 is empty, complex, not finite or of another shape."""
     try:
         is_complex = np.iscomplexobj(np.asarray(y0))
     except ValueError:  # rows of several lengths
@@ -85,25 +85,25 @@ def initial_state(y0: ArrayLike) -> Array:
 
 
 def is_masked(value: ArrayLike) -> bool:
-    """Return whether numbers of a masked array are hidden; without the time of an import that nobody asked for."""
+    """Return whether a masked array has masked elements; without importing numpy.ma, which takes time."""
     masked_arrays = sys.modules.get("numpy.ma")
     return masked_arrays is not None and bool(masked_arrays.is_masked(value))
 
 
 def tolerance(rtol: float) -> float:
-    """Return the tolerance as a number. ValueError unless 0 < rtol < 1."""
+    """Return rtol as a float. Raise ValueError unless 0 < rtol < 1."""
     if not isinstance(rtol, Real) or not 0 < rtol < 1:
         raise ValueError(f"rtol: need 0 < rtol < 1, got {rtol!r}; 1e-10 is a good start")
     return float(rtol)
 
 
 def of_one_step(rtol: float) -> float:
-    """Return the tolerance of a step: beyond 13 digits it falls faster than what is asked for, as errors add up."""
+    """Return the tolerance of a step: below 1e-13 it decreases as rtol**3, because the errors of the steps add up."""
     return max(min(rtol, rtol**3 * 1e26), SMALLEST_RTOL)
 
 
 def allowed_error(atol: ArrayLike | None, size: int) -> tuple[float, ...]:
-    """k errors allowed in any case, none at all if left out. ValueError unless one or k numbers, none negative."""
+    """Return k absolute tolerances, or () for None. Raise ValueError unless atol is one or k numbers, none negative."""
     if atol is None:
         return ()
     allowed = _array("atol", atol, "one number, or one a component")

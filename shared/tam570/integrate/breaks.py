@@ -1,7 +1,7 @@
-"""Times at which a traced right-hand side does something that a step may pass: shifted pulses, switches, kinks.
+"""Times near which a traced right-hand side has features that a step could miss: shifted pulses, switches, kinks.
 
-A long step does not see `exp(-((t - 5) / 0.02)**2)`, nor does a Taylor series: far from 5 all is zero. So a run steps
-onto each time at which a function of time inside is zero or turns round, where that is the argument of another one.
+Long steps, and Taylor series, miss `exp(-((t - 5) / 0.02)**2)`, since far from 5 it vanishes with its derivatives. So a
+step ends at each zero and extremum of a function of time that is the argument of another function.
 """
 
 import math
@@ -11,18 +11,18 @@ import numpy as np
 
 from tam570.integrate.trace import Graph, Symbol, on_arrays
 
-TAME = {"sin", "cos", "log", "log2", "log10", "sqrt", "cbrt"}  # of a time: as wide as their argument is steep
-POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are looked at
-REFINED = 2.0**-20
-A_TURN = 16  # points in a turn of a sine
+TAME = {"sin", "cos", "log", "log2", "log10", "sqrt", "cbrt"}  # no narrower features than the argument
+POINTS, MOST = 1000, 100_000  # of the grid on which functions of time are sampled: base number and limit
+REFINED = 2.0**-20  # accuracy of a break, as a fraction of the grid spacing
+A_TURN = 16  # grid points per period of a sine
 
-Affine = tuple[float, float]  # rate, shift
+Affine = tuple[float, float]  # rate and shift of rate * t + shift
 Array = np.ndarray[tuple[int, ...], np.dtype[np.float64]]
 
 
 @lru_cache(maxsize=256)
 def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
-    """Return the times, in order, between start and end."""
+    """Return such times between start and end, in order."""
     affine: dict[int, Affine] = {}
     timed: dict[int, Symbol] = {}
     arguments: dict[int, Symbol] = {}
@@ -47,7 +47,7 @@ def breaks_of(graph: Graph, start: float, end: float) -> tuple[float, ...]:
 
 
 def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
-    """rate and shift of what is affine in time."""
+    """Return rate and shift if the symbol is affine in time, else None."""
     if not symbol.arguments:
         return 1.0, 0.0
     lines = [affine.get(a.number) if isinstance(a, Symbol) else (0.0, a) for a in symbol.arguments]
@@ -66,7 +66,7 @@ def _affine(symbol: Symbol, affine: dict[int, Affine]) -> Affine | None:
 
 
 def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
-    """Return the fastest of the sines, rad/s."""
+    """Return the largest angular frequency of the sines, rad/s; 0 if there are none."""
     waves = [s.arguments[0] for s in timed if s.name in ("sin", "cos", "tan")]
     return max((abs(affine[a.number][0]) for a in waves if isinstance(a, Symbol) and a.number in affine), default=0.0)
 
@@ -74,7 +74,7 @@ def _fastest(timed: list[Symbol], affine: dict[int, Affine]) -> float:
 def _zeros_and_turns(
     timed: list[Symbol], curved: list[Symbol], start: float, end: float, fastest: float
 ) -> list[float]:
-    """Return times at which one of the functions of time passes zero or turns round, between the points of a grid."""
+    """Return the zeros and extrema of the functions `curved` of time, bracketed on a grid and refined."""
     points = POINTS + A_TURN * fastest * (end - start) / (2 * math.pi)
     grid = np.linspace(start, end, int(min(points, MOST)))
     values = _values(timed, grid)
@@ -87,12 +87,12 @@ def _zeros_and_turns(
         times += grid[1:-1][(u[1:-1] == 0.0) & (u[:-2] * u[2:] < 0)].tolist()
         times += [_refined(timed, symbol, grid[k], grid[k + 1], turns=False) for k in crossing]
         times += [_refined(timed, symbol, grid[k], grid[k + 2], turns=True) for k in turning]
-    edge = REFINED * (grid[1] - grid[0])  # a run may begin at a zero
+    edge = REFINED * (grid[1] - grid[0])  # a zero at the start or end of the run needs no break
     return [time for time in times if start + edge < time < end - edge]
 
 
 def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, turns: bool) -> float:
-    """Return the zero or the turning point between two times, to a part REFINED of their distance."""
+    """Return the zero or the extremum between two times, to a fraction REFINED of their distance."""
     for _ in range(4):
         grid = np.linspace(low, high, 65)
         u = _values(timed, grid)[symbol.number]
@@ -102,7 +102,7 @@ def _refined(timed: list[Symbol], symbol: Symbol, low: float, high: float, *, tu
 
 
 def _values(timed: list[Symbol], t: Array) -> dict[int, Array]:
-    """Return what each function of time is at the times."""
+    """Return the values at t of each function of time, by the number of its symbol."""
     computed: dict[int, Array] = {}
     with np.errstate(all="ignore"):
         for symbol in timed:

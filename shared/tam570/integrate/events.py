@@ -1,4 +1,4 @@
-"""Runs of which more is kept than samples: events, a function of time, a report."""
+"""Runs that return more than samples: events, dense output and a report."""
 
 from bisect import bisect_left
 from collections.abc import Callable, Sequence
@@ -20,7 +20,7 @@ from tam570.values import Function, Numbers, Parameters
 
 @dataclass(frozen=True)
 class Report:
-    """How a run went.
+    """Statistics of a run.
 
     Parameters
     ----------
@@ -29,14 +29,15 @@ class Report:
     untraced_reason : str
         Why the right-hand side was called unchanged instead of traced; empty if it was traced.
     unseen_reason : str
-        Why nobody can see where such a function switches; its steps are then at most a thousandth of the run.
+        Why the switches of a function that was called cannot be detected: its steps are then at most a thousandth of
+        the run. Empty if they can.
     steps : int
     refusals : int
-        Steps that were too long and were repeated.
+        Steps that were refused and repeated with a smaller step size.
     evaluations : int or None
-        Of the right-hand side in these steps, twelve each; None if compiled series replaced them.
+        Evaluations of the right-hand side in these steps, twelve each; None in compiled code.
     atol : (k,) ndarray
-        The error allowed in any case; if the caller gave none, what follows from the start.
+        Absolute tolerance of each component; if you omitted it, it follows from the start.
     """
 
     engine: str
@@ -49,7 +50,7 @@ class Report:
 
 
 class Crossing(NamedTuple):
-    """Where one event function passed zero: times (c,) and states (c, k), in the order of the run."""
+    """Zero crossings of an event function: times (c,) and states (c, k), in the order of the run."""
 
     t: Array
     states: Array
@@ -57,12 +58,12 @@ class Crossing(NamedTuple):
 
 @dataclass(frozen=True)
 class Motion:
-    """A motion with what was asked for.
+    """A motion with its events, dense output and report.
 
     Parameters
     ----------
     t : (n,) ndarray
-        The times asked for, those up to a terminal event.
+        The times passed to `solve`, up to a terminal event.
     states : (n, k) ndarray
     events : tuple of Crossing
         One for each event function.
@@ -78,20 +79,20 @@ class Motion:
     report: Report
 
 
-NODES = (1.0 - np.cos(np.pi * np.arange(9) / 8)) / 2  # of a step, at an event function: two crossings in it are two
-BETWEEN = np.array([0.07, 0.3, 0.58, 0.87])  # there its polynomial through NODES is compared with it
+NODES = (1.0 - np.cos(np.pi * np.arange(9) / 8)) / 2  # Chebyshev points of a step, to resolve an event function
+BETWEEN = np.array([0.07, 0.3, 0.58, 0.87])  # test points for the interpolating polynomial through NODES
 LOOKS = np.sort([*NODES, *BETWEEN])
-UNTOLD = 1.0 * (BETWEEN[:, None] == LOOKS)  # of values at LOOKS: by how much the polynomial is wrong
+UNTOLD = 1.0 * (BETWEEN[:, None] == LOOKS)  # matrix from values at LOOKS to errors of the polynomial
 UNTOLD[:, np.isin(LOOKS, NODES)] = -np.vander(BETWEEN, 9) @ np.linalg.inv(np.vander(NODES))
-UNLIKE, SHORTEST = 0.01, 2.0**-7  # of its size: it is another; of a step: no shorter part is looked at by itself
-NEXT = 2.0**-20  # of a step, from its ends: does it come down to zero from there?
-TOUCH = 1e-6  # of its size nearby: a function that touches zero does not pass it, whatever rounding says
-Look = tuple[float, float]  # part of a step, value of an event function there
+UNLIKE, SHORTEST = 0.01, 2.0**-7  # relative error above which a part of a step is halved; shortest such part, of a step
+NEXT = 2.0**-20  # of a step, distance from its ends of two more samples, to detect dips there
+TOUCH = 1e-6  # of its size nearby, depth of a dip below zero; less may be round-off of a function that touches zero
+Look = tuple[float, float]  # fraction of a step, value of an event function there
 
 
 @dataclass(frozen=True)
 class StepInterpolant:
-    """A step of h from t on, times of the engine's clock; state : at a fraction of it."""
+    """A step from t to t + h in the engine's time. state : state(x) at the fraction x of the step."""
 
     t: float
     h: float
@@ -102,14 +103,14 @@ class StepInterpolant:
         return self.t + self.h
 
     def up_to(self, t: float) -> "StepInterpolant":
-        """Return the part of it that ends at t."""
+        """Return the part of the step that ends at t."""
         part = min((t - self.t) / self.h, 1.0)
         return StepInterpolant(self.t, part * self.h, lambda x: self.state(part * x))
 
 
 @dataclass(frozen=True)
 class Event:
-    """A function whose zeros are sought. direction : of the crossing, 0 for both; last : ends the run, 0 for none."""
+    """An event function. direction : of crossings, 0 for both; last : number of the one that ends the run, or 0."""
 
     value: Callable[[float, Array], float]
     direction: float
@@ -118,10 +119,10 @@ class Event:
 
 @dataclass
 class Watch:
-    """What is looked for along a run, and what was seen.
+    """Detects events along a run up to `end`, and records steps for dense output.
 
-    signs : the last value that was not zero, per event; 0 where there was none: a zero at the start does not count
-    seen  : time, which event, state
+    signs : the last nonzero value of each event function; 0 if there was none, so a zero at the start does not count
+    seen  : time, index of the event and state of each crossing
     """
 
     events: Sequence[Event]
@@ -132,7 +133,7 @@ class Watch:
     steps: list[StepInterpolant]
 
     def on_step(self, step: StepInterpolant) -> bool:
-        """Return whether the run goes on."""
+        """Record the events in a step; return whether the run continues."""
         if self.dense:
             self.steps.append(step)
         for x, which in self._crossings(step):
@@ -142,7 +143,7 @@ class Watch:
         return True
 
     def _crossings(self, step: StepInterpolant) -> list[tuple[float, int]]:
-        """(fraction of the step, which event) of each crossing within a step, in order."""
+        """Return (fraction of the step, index of the event) of each crossing in a step, in order."""
         crossings = []
         for which, event in enumerate(self.events):
 
@@ -152,19 +153,19 @@ class Watch:
             low = 0.0
             for x, value in _looks(level):
                 before = self.signs[which]
-                at_end = value == 0 and x == 1 and step.end >= self.end  # reached, and nothing comes after
+                at_end = value == 0 and x == 1 and step.end >= self.end  # a zero at the end of the run counts
                 direction = -before if at_end else value
                 if before and (at_end or value * before < 0) and direction * event.direction >= 0:
                     crossings.append((1.0 if at_end else _located(level, low, x, value > 0), which))
-                self.signs[which] = value or before if value == value else 0.0  # after a NaN no sign is known
+                self.signs[which] = value or before if value == value else 0.0  # NaN has no sign
                 low = x
         return sorted(crossings, key=lambda crossing: crossing[0])
 
 
 def _looks(level: Callable[[float], float]) -> list[Look]:
-    """Return where an event function is looked at within a step, and its values, in order.
+    """Return samples of an event function in a step, in order.
 
-    Also where it comes down to zero between these, and turns back.
+    They include samples beyond zero if the function crosses zero and returns between other samples.
     """
     looks = _resolved(level, 0.0, 1.0)
     ends = (NEXT, looks[0], looks[1]), (1.0 - NEXT, looks[-1], looks[-2])
@@ -175,7 +176,7 @@ def _looks(level: Callable[[float], float]) -> list[Look]:
 
 
 def _resolved(level: Callable[[float], float], low: float, high: float) -> list[Look]:
-    """Return values of an event function between two parts of a step, so close that a polynomial tells the others."""
+    """Return samples between two fractions of a step, so dense that a polynomial reproduces the event function."""
     values = [(x, level(x)) for x in (low + (high - low) * LOOKS).tolist()]
     v = np.array(values)[:, 1]
     if high - low <= SHORTEST or not np.abs(UNTOLD @ v).max() > UNLIKE * np.abs(v).max():
@@ -185,12 +186,12 @@ def _resolved(level: Callable[[float], float], low: float, high: float) -> list[
 
 
 def _dip(level: Callable[[float], float], earlier: Look, least: Look, later: Look) -> Look | None:
-    """Return where it has another sign than at three points of one sign, of which `least` is nearest to zero."""
+    """Return a sample of opposite sign between three samples of equal sign, `least` closest to zero; None if none."""
     sign = 1.0 if least[1] > 0 else -1.0
     size = max(sign * earlier[1], sign * later[1])
     while 0.0 < sign * least[1] <= min(sign * earlier[1], sign * later[1]):
         if sign * least[1] > 2.0 * (max(sign * earlier[1], sign * later[1]) - sign * least[1]):
-            return None  # flat: zero is out of reach
+            return None  # too flat to reach zero
         wider = earlier if least[0] - earlier[0] > later[0] - least[0] else later
         x = (least[0] + wider[0]) / 2
         new = x, level(x)
@@ -208,7 +209,7 @@ def _dip(level: Callable[[float], float], earlier: Look, least: Look, later: Loo
 
 
 def _located(level: Callable[[float], float], low: float, high: float, positive: bool) -> float:
-    """Return the fraction at which the event function takes its new sign: halved until no number is between."""
+    """Return the first fraction at which the event function has its new sign, by bisection to the last bit."""
     while True:
         middle = (low + high) / 2
         if not low < middle < high:
@@ -218,9 +219,9 @@ def _located(level: Callable[[float], float], low: float, high: float, positive:
 
 
 def _event(which: int, function: Function, parameters: Parameters | None, sign: float) -> Event:
-    """Return an event with the attributes that solve_ivp knows; `sign` of the engine's clock.
+    """Return an event with the attributes of `function` that solve_ivp supports; ValueError if they are invalid.
 
-    ValueError if they are wrong.
+    sign : -1 if the engine's time is -t
     """
     name = f"events: event {which}"
     if not callable(function):
@@ -237,11 +238,11 @@ def _event(which: int, function: Function, parameters: Parameters | None, sign: 
 
     def value(t: float, y: Array) -> float:
         level = call(sign * t, y)
-        if type(level) is float:  # sooner than the questions below
+        if type(level) is float:  # faster than the tests below
             return level
         if not isinstance(level, Real) and not (isinstance(level, np.ndarray | np.generic) and level.shape == ()):
             raise ValueError(f"{name} must return a number, got {level!r}")
-        if isinstance(level, bool | np.bool_):  # it is never below zero
+        if isinstance(level, bool | np.bool_):  # a bool never changes sign
             raise ValueError(
                 f"{name} must return a number that passes zero, got {level!r}: the difference of two sides"
             )
@@ -260,9 +261,9 @@ def motion(
     dense: bool,
     how: str,
 ) -> Motion:
-    """Return the motion with its events, and as a function of time if it is to be `dense`.
+    """Return the motion with its events, and with dense output if `dense`.
 
-    How: as in `adaptive.integrate`.
+    how : as in `adaptive.integrate`
     """
     if events is None and not dense:
         solution = adaptive.integrate(engine, times, start, how, control)
@@ -284,13 +285,13 @@ def motion(
 
 
 def _crossing(sign: float, which: int, watch: Watch, size: int) -> Crossing:
-    """Return the times at which one of the events was seen, and the states there."""
+    """Return the crossings of the event with index `which`."""
     times, states = ([x[index] for x in watch.seen if x[1] == which] for index in (0, 2))
     return Crossing(sign * np.array(times, dtype=float), np.array(states, dtype=float).reshape(len(states), size))
 
 
 def _report(engine: Engine, solution: adaptive.Solution, control: adaptive.Control) -> Report:
-    """Return how the run went that ended with this state."""
+    """Return the report of a run."""
     last, name = solution.last, solution.engine
     evaluations = 12 * (last.steps + last.refusals) if name == "Python" else None
     unseen = engine.switches.unseen_reason if engine.switches else ""
@@ -302,7 +303,7 @@ def _signed(sign: float, times: Array) -> Array:
 
 
 def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[[ArrayLike], Array]:
-    """at(times) by the polynomials of the steps."""
+    """Return at(times), which evaluates the interpolants of the steps; sign : -1 if the engine's time is -t."""
     ends = [step.end for step in steps]
 
     def state(time: float) -> Array:
@@ -314,7 +315,7 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
         return step.state((t - step.t) / step.h)
 
     def at(times: ArrayLike) -> Array:
-        """(..., k) the states at an array of times, or (k,) at one; ValueError outside of the run."""
+        """Return (..., k) states at an array of times, or (k,) at one; raise ValueError outside the run."""
         listed = np.asarray(times, dtype=float)
         states = np.array([state(time) for time in listed.ravel().tolist()])
         return states.reshape(*listed.shape, len(steps[0].state(0.0)))
@@ -323,12 +324,12 @@ def function_of_time(steps: Sequence[StepInterpolant], sign: float) -> Callable[
 
 
 def step_by_step(run: adaptive.Run) -> None:
-    """Step to the end; each step is limited before, and projected or looked at after."""
+    """Run to the end; limit each step before it, and project the state or call `on_step` after it."""
     functions, control, state = run.engine.functions, run.control, run.last
     tried: list[Numbers] = [None]
 
     def step(*inputs: Numbers) -> Numbers:
-        tried[0] = (*inputs[:3], inputs[4], functions["step"](*inputs))  # the last one tried is the one taken
+        tried[0] = (*inputs[:3], inputs[4], functions["step"](*inputs))  # the last attempt is the accepted step
         return tried[0][-1]
 
     advance = loop_with(step, *(functions[name] for name in GENERATED[1:]))
@@ -349,7 +350,7 @@ def step_by_step(run: adaptive.Run) -> None:
 
 
 def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Numbers]) -> State:
-    """Return the state brought back to where it belongs, with the derivative there."""
+    """Return the state after projection, with the derivative there."""
     y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
     f = run.engine.functions["rhs"](run.origin + state.t, y, run.engine.constants)
     return state._replace(y=y, r=(0.0,) * len(y), f=f)

@@ -1,8 +1,8 @@
-"""The right-hand side as a function of time and state alone, checked; and its calls where it is called as it stands.
+"""Validates a right-hand side as a function of time and state, and calls it if it cannot be traced.
 
-What rounding does to rates that are called is measured: they are taken at neighbouring floats of time and state. An
-error estimate below the differences is the rounding's, not the method's. Where only those on one side are large, it is
-a jump of the rates, and does not count.
+The round-off of called rates is measured: they are evaluated at neighboring floats of time and state. An error estimate
+below the differences is round-off, not an error of the method. If the differences are large on only one side, the rates
+have a jump there, which is not round-off.
 """
 
 import inspect
@@ -18,18 +18,18 @@ from tam570.integrate.dop853 import ESTIMATE_ROUNDOFF
 from tam570.values import Function, Numbers, Parameters
 
 Rates = Callable[[float, Numbers], Numbers]
-ROUNDED = 4.0  # units in the last place: the time of two calls is rounded in two ways
-FEW_DIGITS = 8.0  # roundings of a rate: a smaller rtol asks for steps that follow them
+ROUNDED = 4.0  # units in the last place of t, because two calls may round the same time differently
+FEW_DIGITS = 8.0  # smallest rtol in units of the round-off of the rates; below it, steps would resolve round-off
 PLAIN = {float, int, np.float64}
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
 
 
 class RhsError(Exception):
-    """The right-hand side does not return what it should: told as a ValueError, and by no shorter step."""
+    """Raised for invalid values of the right-hand side, which no shorter step can avoid; becomes a ValueError."""
 
 
 def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Rates:
-    """rhs(t, y) with the parameters in place. ValueError, with the name, where they do not fit its signature."""
+    """Return rhs(t, y) with bound parameters; raise ValueError, with `name`, if they do not fit its signature."""
     if not callable(rhs):
         raise ValueError(f"{name}: must be a function of (t, y, **parameters), got {type(rhs).__name__}")
     if parameters is not None and not isinstance(parameters, Mapping):
@@ -37,7 +37,7 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     fixed = dict(parameters or {})
     try:
         problem = _misfit(rhs, tuple(fixed))
-    except TypeError:  # it has no hash
+    except TypeError:  # rhs is not hashable
         problem = _misfit.__wrapped__(rhs, tuple(fixed))
     if problem:
         raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}")
@@ -47,9 +47,9 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
 
 
 def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numbers]:
-    """Return the type of the numbers. sign : of the engine's clock.
+    """Return the dtype of the rates at the start. sign : -1 if the engine's time is -t.
 
-    ValueError unless rhs gives as many finite real ones as y0 has.
+    Raise ValueError or RhsError unless rhs returns as many finite real numbers as y0 has, twice the same.
     """
     value = rates(t, y0.copy())
     at_start, dtype = _checked(value, len(y0)), np.asarray(value).dtype
@@ -66,7 +66,7 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numb
 
 @lru_cache(maxsize=256)
 def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
-    """Return why rhs does not take t, y and these keywords; empty if it does, or if it has no signature to look at."""
+    """Return why rhs does not accept t, y and these keywords; empty if it does, or if it has no signature."""
     try:
         inspect.signature(rhs).bind(0.0, None, **dict.fromkeys(names))
     except TypeError as problem:
@@ -77,10 +77,10 @@ def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
 
 
 class CalledRates:
-    """Calls of rates(t, y) with arrays, as SciPy makes them: floats come back.
+    """Calls rates(t, y) with arrays, as SciPy does, and returns floats.
 
-    dtype : of what the rates are at the start; error : the last one raised
-    unused : a copy of the rates as they were before the first call
+    dtype : of the rates at the start; error : the last exception that they raised
+    unused : a copy of the rates from before the first call
     """
 
     def __init__(self, rates: Rates, size: int) -> None:
@@ -90,7 +90,7 @@ class CalledRates:
         self.error: Exception | None = None
 
     def __call__(self, t: float, y: Sequence[float], c: Sequence[float] = ()) -> Sequence[float]:
-        """Return the rates; there are no constants c."""
+        """Return the rates; c is unused, as in the signature of traced rates."""
         try:
             value = self.rates(t, np.array(y))
         except TRIAL_ERRORS as error:
@@ -99,7 +99,7 @@ class CalledRates:
         return _floats(value, self.size)
 
     def check_digits(self, rtol: float) -> None:
-        """RhsError where all rates are of float32 or less, and fewer digits than are asked for."""
+        """Raise RhsError if the rates are float32 or shorter, with too few digits for rtol."""
         rounding = float(np.finfo(self.dtype).eps) if self.dtype.kind == "f" and self.dtype.itemsize < 8 else 0.0
         if rtol < FEW_DIGITS * rounding:
             raise RhsError(
@@ -108,9 +108,9 @@ class CalledRates:
             )
 
     def check_history(self, t: float, y: Array, span: float, rtol: float) -> None:
-        """RhsError where the rates after a run of span, s, are not what they are without earlier calls."""
+        """Raise RhsError if the rates after a run of `span`, s, depend on earlier calls."""
         try:
-            self.rates(t, y * (1.0 - 2.0**-10))  # what it kept of that may come back
+            self.rates(t, y * (1.0 - 2.0**-10))  # a function with memory may now return values of this call
             f, g = np.array(self(t, tuple(y.tolist()))), _checked(copy_of(self.unused)(t, y.copy()), self.size)
         except Exception:  # some objects cannot be copied
             return
@@ -119,7 +119,7 @@ class CalledRates:
             raise _memory_error(f.tolist(), g.tolist())
 
     def check_memory(self, t: float, y: Sequence[float], f: Sequence[float]) -> None:
-        """RhsError where rates that were f are others now: the function is random, or remembers earlier calls."""
+        """Raise RhsError if the rates are no longer f: the function is random, or remembers earlier calls."""
         g = self(t, y)
         changes = [abs(a - b) for a, b in zip(f, g, strict=True)]
         if all(x <= 1e-8 * max(abs(a), abs(b)) for x, a, b in zip(changes, f, g, strict=True)):
@@ -129,7 +129,7 @@ class CalledRates:
             raise _memory_error(f, g)
 
     def roundoff(self, start: float, h: float, y: Numbers, f: Numbers, b: Numbers, _: Numbers) -> tuple[float, ...]:
-        """Return what rounding does to the error estimates of a step of h."""
+        """Return the round-off of the error estimates of a step of h; b if the rates cannot be evaluated."""
         self.check_memory(start, y, f)
         t, state = start + INSIDE * h, [v + INSIDE * h * rate for v, rate in zip(y, f, strict=True)]
         try:
@@ -163,9 +163,9 @@ def _floats(value: Numbers, size: int) -> Sequence[float]:
 
 
 def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times: Array, y0: Array) -> bool:
-    """Return whether `written(t, y, constants)` gives what `rates` gives: at the start, and at points around it.
+    """Return whether `written(t, y, constants)` equals `rates(t, y)` at the start and at points around it.
 
-    Points that are not allowed are replaced by nearer ones, or left out: the answer is the code's, not the start's.
+    Points at which `rates` raises an error are replaced by closer ones, or skipped.
     """
     size = len(y0)
     for trial in range(3):
@@ -181,7 +181,7 @@ def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times
         else:
             continue
         values = np.array(written(t, tuple(y.tolist()), constants))
-        rounding = 1e-11 * max(np.abs(expected).max(), 1e-300)  # the order of operations differs
+        rounding = 1e-11 * max(np.abs(expected).max(), 1e-300)  # the order of operations may differ
         if not (np.abs(values - expected) <= rounding).all() and np.isfinite(expected).all():
             return False
     return True
@@ -190,7 +190,7 @@ def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times
 def _checked(value: Numbers, size: int) -> Array:
     try:
         rates_array = np.asarray(value)
-    except ValueError as problem:  # rows of several lengths
+    except ValueError as problem:  # rows of different lengths
         raise RhsError(f"rhs: must return {size} numbers, got {value!r}") from problem
     if rates_array.shape != (size,):
         returned = f"shape {rates_array.shape}" if rates_array.shape else f"one {type(value).__name__}"
@@ -208,13 +208,13 @@ def _checked(value: Numbers, size: int) -> Array:
 
 
 EPS = 2.0**-52
-PASSED_ON = 0.3  # of a step, after which the later stages see what rounding did to the earlier ones
-ULPS = (1.37, 2.91, 5.3)  # by which a state is changed, times the pattern below: several, as one may round to nothing
-PATTERN = (1.0, -1.41, 1.82, -1.0, 1.41, -1.82)  # no two components cancel
-INSIDE = 0.4637  # of the step, where they are taken: no point at which a motion is likely to meet a jump
-ONE_SIDED = 1e-3  # of the changes on one side, where those on the other are less: it is a jump
+PASSED_ON = 0.3  # of a step, in which round-off of earlier stages affects later ones
+ULPS = (1.37, 2.91, 5.3)  # changes of the state, times PATTERN; several, since one may round to no change
+PATTERN = (1.0, -1.41, 1.82, -1.0, 1.41, -1.82)  # unequal, so that no two components cancel
+INSIDE = 0.4637  # of the step, where round-off is measured: a point at which a jump is unlikely
+ONE_SIDED = 1e-3  # ratio of the changes on both sides that indicates a jump
 
-Changes = tuple[list[float], list[float]]  # the least and the largest of each rate
+Changes = tuple[list[float], list[float]]  # smallest and largest change of each rate
 
 
 def _noise(least: float, largest: float, other_least: float, other_largest: float) -> float:
@@ -226,7 +226,7 @@ def _noise(least: float, largest: float, other_least: float, other_largest: floa
 def _changes(
     rates: Callable[[float, Numbers], Sequence[float]], t: float, h: float, y: list[float], f: Numbers, side: float
 ) -> Changes:
-    """Of each rate, on one side; what it does to the state within h is passed on to the next change."""
+    """Return the changes of the rates on one side; each also shifts the state for the next, as in stages of a step."""
     least, largest, moved = [math.inf] * len(y), [0.0] * len(y), [0.0] * len(y)
     for ulps in ULPS:
         near = [

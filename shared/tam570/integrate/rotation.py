@@ -1,7 +1,7 @@
-"""Rotations that stay rotations: Runge-Kutta in the rotation vector of each step (Munthe-Kaas).
+"""Rotations that stay orthogonal: Runge-Kutta steps for the rotation vector in each step (Munthe-Kaas).
 
-R' = R hat(omega). Within a step R = R0 exp(u) with u small; u' is omega and Bernoulli's series in u. After the step
-R0 takes exp(u) in and u starts from zero again, so R^T R = I holds to rounding however long the run.
+R' = R hat(omega). Within a step R = R0 exp(u) with small u; u' is omega plus a Bernoulli series in u. After the step
+R0 is multiplied by exp(u) and u is reset to zero, so R^T R = I up to round-off for any length of the run.
 Munthe-Kaas, High order Runge-Kutta methods on manifolds, Appl. Num. Math. 29 (1999).
 """
 
@@ -14,7 +14,7 @@ from tam570.integrate.engine import Mistraced, engine
 from tam570.integrate.rates import RhsError
 from tam570.values import Function, Numbers, Parameters
 
-# |B_2n| / (2n)! for n = 1, 2, ...: at a rotation of 1 rad in a step the next term, |B_20| / 20!, is 2.2e-16 of omega.
+# |B_2n| / (2n)! for n = 1, 2, ...; for 1 rad per step the first omitted term, |B_20| / 20!, is 2.2e-16 of omega.
 _BERNOULLI = (
     1 / 12,
     1 / 720,
@@ -58,14 +58,14 @@ def solve_rotation(
     -------
     omegas : (n, 3) ndarray
     rotations : (n, 3, 3) ndarray
-        R^T R is 1 to rounding, however long the run.
+        R^T R is the identity up to round-off, for any length of the run.
 
     Raises
     ------
     ValueError
-        If an argument has another shape or is not finite, the times do not increase, or rtol is not between 0 and 1.
+        If an argument has another shape or is not finite, t is not monotonic, or rtol is not between 0 and 1.
     ArithmeticError
-        If acceleration or solution cease to be finite; the message gives the time.
+        If acceleration or solution is no longer finite; the message gives the time.
 
     Examples
     --------
@@ -83,7 +83,7 @@ def solve_rotation(
         spin, u = state[:3], state[3:6]
         return [*acceleration(time, spin, **fixed), *_vector_rate(u, spin), *[0.0] * 9]
 
-    def one_radian(state: Array) -> float:  # s; up to there the series is good to rounding
+    def one_radian(state: Array) -> float:  # s; up to this step the series is accurate to round-off
         return float(1 / max(np.abs(state[:3]).sum(), 1e-300))
 
     start = np.concatenate([spinning, np.zeros(3), turned.ravel()])
@@ -106,7 +106,7 @@ def solve_rotation(
 
 
 def _vector_rate(u: Numbers, omega: Numbers) -> list[Numbers]:
-    """u' for R0 exp(u): omega + u x omega / 2 + (sum of |B_2n| / (2n)! |u|^(2n - 2)) u x (u x omega)."""
+    """Return u' for R0 exp(u): omega + u x omega / 2 + (sum of |B_2n| / (2n)! |u|^(2n - 2)) u x (u x omega)."""
     once = _cross(u, omega)
     twice = _cross(u, once)
     square, series = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], 0.0
@@ -120,7 +120,7 @@ def _cross(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers, Numbers]:
 
 
 def _recentred(state: Array) -> Array:
-    """Return the same motion with exp(u) taken into R0; one Newton step keeps R0 from drifting by roundings."""
+    """Return the state with R0 exp(u) as R0 and zero as u; a Newton step prevents drift of R0 by round-off."""
     u, R = state[3:6], state[6:].reshape(3, 3)
     angle = np.sqrt(u @ u)
     hat = np.array([[0.0, -u[2], u[1]], [u[2], 0.0, -u[0]], [-u[1], u[0], 0.0]])
