@@ -1,22 +1,22 @@
-"""The one function everybody calls: `solve`.
+"""The main functions of the package: `solve`, and `prepared` for repeated runs.
 
 rtol, atol
-    Where no atol is given it is rtol times the size of each component at the start. What starts at zero takes the size
-    to which it, time, or the other components first move it; `report` tells it. An error that rounding makes in any
-    case is allowed; 1e-14 gets all the digits that rounding leaves.
+    If you omit atol, it is a quarter of rtol times the scale of each component: its size at the start, or, if it starts
+    at zero, the size to which its rate, time or other components first move it. `report` returns atol. Errors that
+    round-off causes in any case are tolerated, so rtol = 1e-14 gives all digits that round-off permits.
 method
-    "auto" is "python" or "compiled" (by llvmlite, if it is installed): it counts its steps in Python, and starts again
-    in compiled code where so many are left that compiling repays. With events or dense it is always Python. The same
-    call gives the same bits, whatever ran before. Two run at a fixed step, for long runs of conservative systems:
-    "gauss" (Gauss-Legendre, order 12) and "composition" (order 8, y0 = (q, v), q' of v, v' of q). They also reach the
-    last digits of a hundred periods, where the others' energy drifts.
+    "auto" starts like "python", counts its steps, and starts again like "compiled" (with llvmlite, if installed) if so
+    many steps remain that compilation is worthwhile. With events or dense it is always "python". The same call gives
+    the same bits, independent of earlier calls. Two methods have a fixed step size, for long runs of conservative
+    systems: "gauss" (Gauss-Legendre, order 12) and "composition" (order 8, y0 = (q, v), q' depends on v, v' on q). They
+    get a hundred periods right to the last digits, where the energy of the other methods drifts.
 events
-    event.direction > 0 asks for zeros from below, < 0 from above. event.terminal = True ends the run at the first,
-    n at the n-th. A zero at the start is none, nor is a touch, as which two zeros may count within a
-    thousandth of a step. A `Motion` has t and states up to a terminal event, events, at, report.
+    event.direction > 0 selects zero crossings from below, < 0 from above. event.terminal = True ends the run at the
+    first crossing, n at the n-th. A zero at the start is no crossing, nor is a touch; two zeros within a thousandth of
+    a step may count as a touch. A `Motion` has t and states up to a terminal event, events, at, report.
 errors
-    ValueError names the argument, ArithmeticError the time at which rhs or solution cease to be finite, or from which
-    on the equations are stiff, with the remedy.
+    ValueError names the argument. ArithmeticError gives the time at which rhs or solution is no longer finite, or at
+    which the equations are stiff, and suggests a remedy.
 
 >>> def falling(t, y, *, gravity):
 ...     return y[1], -gravity
@@ -118,19 +118,19 @@ def solve(
     parameters : mapping, optional
         Keyword arguments of rhs.
     rtol, atol : float, atol also (k,)
-        The error of a step may be atol + rtol abs(y). If you omit atol, it follows from the start.
+        The local error of a step may be atol + rtol * abs(y). If you omit atol, it follows from the start.
     method : str
-        "auto", "python" or "compiled"; or, at a fixed step for long conservative runs, "gauss" or "composition".
+        "auto", "python" or "compiled"; or, with a fixed step for long conservative runs, "gauss" or "composition".
     step : float, optional
-        The longest step of these two, in s. If you omit it, it follows from rtol.
+        Largest step size of "gauss" and "composition", in s. If you omit it, it follows from rtol.
     max_step, first_step : float, optional
-        In s, as in SciPy's solve_ivp.
+        Largest and first step size of the other methods, in s, as in SciPy's solve_ivp.
     project : callable, optional
-        project(y) returns the nearest allowed state; it is applied after every step, for holonomic constraints.
+        project(y) returns the nearest allowed state; `solve` applies it after every step, for holonomic constraints.
     events : callable or list of callables, optional
         `event(t, y, **parameters)` returns a number whose zeros are found, as in SciPy's solve_ivp.
     dense, report : bool
-        Also return the motion as a function of time; also report how the run went.
+        Also return the motion as a function of time; also return statistics of the run.
 
     Returns
     -------
@@ -142,7 +142,7 @@ def solve(
     ValueError
         If an argument does not fit; the message names it.
     ArithmeticError
-        If rhs or solution cease to be finite, or the equations become stiff; the message gives the time.
+        If rhs or solution is no longer finite, or the equations become stiff; the message gives the time.
 
     Examples
     --------
@@ -174,7 +174,7 @@ def solve(
             return motion(run_engine, times, start, control, events, parameters, dense, method)
         return _states(run_engine, times, start, control, method, step, slot)
 
-    with np.errstate(all="ignore"):  # a step that proves too long may overflow: it is taken again
+    with np.errstate(all="ignore"):  # a step that is too long may overflow; it is repeated
         try:
             return run(may_trace=True)
         except Mistraced:
@@ -226,10 +226,10 @@ def prepared(
     rtol: float = 1e-10,
     atol: ArrayLike | None = None,
 ) -> Callable[[ArrayLike], Array]:
-    """Prepare a function of the start alone, for many short runs in a row.
+    """Prepare a function of the start, for many short runs with the same right-hand side, times and tolerances.
 
-    `prepared` validates, traces and compiles once what does not depend on the start. It does not notice later
-    changes of what the right-hand side depends on.
+    `prepared` validates, traces and compiles once. It does not notice later changes of objects that the right-hand side
+    depends on.
 
     Parameters
     ----------
@@ -241,7 +241,7 @@ def prepared(
     Returns
     -------
     callable
-        run(y0) returns what `solve` returns from there.
+        run(y0) returns the same states as `solve`.
 
     Examples
     --------

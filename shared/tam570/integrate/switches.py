@@ -1,8 +1,8 @@
-"""Switches of a right-hand side that is called as it stands: steps end where it may begin to do something else.
+"""Locates switches of a right-hand side that is called, so that steps end where it may change its formulas.
 
-What the function decides by (see `course`) are its switching functions, evaluated along each step: where the first of
-them passes zero the step is taken again, to just before that time; the shortest of all steps then goes across. So no
-window of time or state is stepped over, and no step is of two pieces. Where a function cannot be looked into like this
+The quantities on which its decisions depend (see `course`) are switching functions, evaluated along each step. If one
+crosses zero, the step is repeated to end just before the first crossing; the shortest possible step then crosses it. So
+no step jumps over a window of time or state, and none combines two pieces. If a function cannot be analyzed like this,
 no step is longer than a thousandth of the run.
 """
 
@@ -19,37 +19,37 @@ from tam570.integrate.rates import Rates
 from tam570.integrate.watch import chatter
 from tam570.values import Numbers
 
-POINTS, ZOOMS = 17, 5  # of a step; how often a part of it is looked at closer
+POINTS, ZOOMS = 17, 5  # points of a step; refinements near a minimum, at most
 X = np.linspace(0.0, 1.0, POINTS)
-SHORT = 1e-3  # of the way to a switch: so much shorter is the next step
-AT_HAND = 2.5  # times the shortest step: by no whole number of them, lest one end at the switch itself
-ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place, by which states are changed: is it more than rounding?
-UNSEEN = 1000.0  # steps at least of a run whose switches cannot be seen
-NOISE = 16.0  # times that change: what is less has no sign
-CHATTER = 60  # switches in a row
-LEAVING = 200  # points of a step from a switch
-SAME_TIME = 1.0 - 1e-6  # of what time alone decides
-SAME, SOON = 30.0, 1e-5  # of the tolerance: rates that change by less move no digit; of a run: from switch to switch
-NEAR = 1e-9  # of a state: what it changes in a switching function is zero
-MOVES_ON = 1e-4  # of the step that they cut, from one switch to the next: with less the motion does not move on
+SHORT = 1e-3  # margin before a switch, as a fraction of the distance
+AT_HAND = 2.5  # smallest margin, in shortest steps; not an integer, so that no step ends exactly at the switch
+ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place; changes of the state that reveal round-off
+UNSEEN = 1000.0  # steps, at least, of a run whose switches cannot be detected
+NOISE = 16.0  # size below which a switching function has no sign, in units of its round-off
+CHATTER = 60  # consecutive switches
+LEAVING = 200  # sample points in a step that starts at a switch
+SAME_TIME = 1.0 - 1e-6  # a switch by time alone comes first if no other is earlier than this part of its distance
+SAME, SOON = 30.0, 1e-5  # tolerances: smaller changes of rates are none; of a run: mean time between idle switches
+NEAR = 1e-9  # relative change of a state; its effect on a switching function counts as zero
+MOVES_ON = 1e-4  # mean time between switches that is too short, as a fraction of the steps before them
 EPS = 2.0**-52
 
 
 def _basis(x: Array) -> Array:
-    """(3, m) weights at parts x of a step: of the whole move, and of h times the derivatives at both ends."""
+    """Return (3, m) weights at fractions x of a step: of the change over it, and of h times the rates at both ends."""
     z = 1.0 - x
     return np.array([x * (1.0 + z * (x - z)), x * z * z, -x * x * z])
 
 
 BASIS = _basis(X)
-DIFFERENCES = np.diff(np.eye(POINTS), 2, axis=0).T  # of neighbouring points, and the slope at the end of the step
+DIFFERENCES = np.diff(np.eye(POINTS), 2, axis=0).T  # second differences, and slope at the end of the step
 DIFFERENCES = np.column_stack([DIFFERENCES, (POINTS - 1) * np.r_[np.zeros(POINTS - 3), 0.5, -2.0, 1.5]])
 
 
 class Switches:
-    """What is known of the switches of one right-hand side along a run.
+    """Tracks the switches of a right-hand side along a run.
 
-    reason : why nothing can be seen of them; opaque : a function in which some may be; empty if there is none
+    reason : why they cannot be detected; opaque : a function that may contain some; both are empty if all is well
     """
 
     def __init__(self, rates: Rates, size: int, span: float, sign: float) -> None:
@@ -58,32 +58,32 @@ class Switches:
         self.begin(0.0)
 
     def begin(self, rtol: float) -> None:
-        """Forget the run before."""
+        """Reset for a new run."""
         self.same = SAME * rtol
         self.reason = self.opaque = ""
-        self.is_smooth = False  # whether it decides nothing
-        self.time, self.distance = math.nan, math.inf  # from the end of the last step to the next switch
-        self.expected = -math.inf  # when that is passed
-        self.pace = self.longest = 0.0  # s, of steps before the last switches, and since
-        self.decisions: Course | None = None  # what it decided by last
-        self.signs = np.empty((0, 1))  # of that, at the start of the step
+        self.is_smooth = False  # whether the function makes no decisions
+        self.time, self.distance = math.nan, math.inf  # end of the last step, and s from there to the next switch
+        self.expected = -math.inf  # s, estimated time of that switch
+        self.pace = self.longest = 0.0  # s, longest steps before the last switches, and since
+        self.decisions: Course | None = None  # the last decisions
+        self.signs = np.empty((0, 1))  # of the switching functions, at the start of the step
         self.is_near = False  # whether the last step was at a switch
-        self.may_keep = self.is_accepted = False  # of the step: whether what is zero at its ends is zero inside
-        self.leaving = 0.0  # s, until the state is another than at a start at a switch
-        self.is_line = np.empty(0, dtype=bool)  # of what decides in a step: whether it is affine in time alone
-        self.crosses_unseen = False  # whether the step crosses a switch within rounding, or a state's errors
-        self.crossings: list[float] = []  # times, each soon after the one before
-        self.passages = 0  # of switches so far
-        self.idle: list[float] = []  # times of switches at which the rates do not jump
+        self.may_keep = self.is_accepted = False  # of the step: can functions with zeros at both ends be ignored?
+        self.leaving = 0.0  # s, step that leaves a start on a switch
+        self.is_line = np.empty(0, dtype=bool)  # whether each switching function is affine in time alone
+        self.crosses_unseen = False  # whether the step crosses a switch within the errors of the state
+        self.crossings: list[float] = []  # times of switches in quick succession
+        self.passages = 0  # number of switches so far
+        self.idle: list[float] = []  # times of switches without a jump of the rates
 
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
-        """Return the longest step from here that ends before the next switch, as far as it is known."""
+        """Return the longest step, s, that ends before the next switch, as far as it can be predicted."""
         distance = self.distance if abs(start - self.time) <= 4 * EPS * abs(start) else math.inf
         return min(distance, self.span / UNSEEN) if self.unseen_reason else distance
 
     @property
     def unseen_reason(self) -> str:
-        """Why steps are at most a thousandth of the run."""
+        """Why steps are at most a thousandth of the run; empty if they are not limited."""
         return self.reason or self.opaque and f"nobody can see where {self.opaque} switches"
 
     def passed(
@@ -98,13 +98,13 @@ class Switches:
         shortest: float,
         c: Numbers,
     ) -> float:
-        """Return the length of the part of a step that passes no switch; infinite if all of it passes none.
+        """Return how long a step, s, may be to cross no switch; infinite if it crosses none.
 
-        The shortest step may pass one: then its own length.
+        The shortest step may cross one: then return its length.
         """
         if self.reason or self.is_smooth:
             return math.inf
-        moves = np.array((n, f, g)) if error <= 1.0 else np.array((f, f, f))  # of a step too long the end tells nothing
+        moves = np.array((n, f, g)) if error <= 1.0 else np.array((f, f, f))  # the end of a refused step is not used
         moves[1:] *= h
         moves[0] = moves[0] - y if error <= 1.0 else moves[1]
         try:
@@ -114,7 +114,7 @@ class Switches:
             part, ahead, is_exact = self._first_switch(start, h, shortest, *path)
             if part == 0.0 and not self.leaving:
                 self.leaving = self._leave(start, h, shortest, *path)
-        except Exception as reason:  # whatever it says to courses, it then gets numbers alone
+        except Exception as reason:  # a function that fails with symbols is called with numbers only
             self.reason = f"{type(reason).__name__}: {reason}"
             part, ahead, is_exact = math.inf, math.inf, False
         if self.unseen_reason and 2.0 * self.span / UNSEEN < min(part, 1.0) * h:
@@ -128,7 +128,7 @@ class Switches:
             if error <= 1.0:
                 self.is_near = is_at_switch
                 self.time, self.longest = start + h, max(self.longest, h)
-                closeness = 0.0 if is_exact else h / max(self.pace, self.longest)  # so much better is the slope known
+                closeness = 0.0 if is_exact else h / max(self.pace, self.longest)  # a short step predicts better
                 self.distance = shortest if is_at_switch and self.time <= self.expected + shortest else math.inf
                 if ahead < 1.0 and not is_at_switch:
                     self.expected = self.time + ahead * h
@@ -141,10 +141,10 @@ class Switches:
         return _just_before(part * h, 0.0 if is_exact else 1.0, max(shortest, 4.0 * EPS * abs(self.expected)))
 
     def _count(self, start: float, y: Numbers, f: Numbers, g: Numbers) -> None:
-        """Count a step at a switch. Raises ArithmeticError where the motion does not leave it.
+        """Count a step across a switch; raise ArithmeticError if the motion does not leave it.
 
-        Where the rates stay the same across many, they are asked no more: whether an iteration has converged, it
-        decides anew all the time.
+        If the rates stay the same across many switches, no longer track them: an iteration until convergence, for
+        example, makes new decisions all the time.
         """
         self.passages += 1
         if all(abs(a - b) <= self.same * max(abs(a), abs(b)) for a, b in zip(f, g, strict=True)):
@@ -161,9 +161,10 @@ class Switches:
     def _first_switch(
         self, start: float, h: float, shortest: float, y: Array, moves: Array
     ) -> tuple[float, float, bool]:
-        """Return the part of the step at which a switch is passed first, and how far beyond its end the next one is.
+        """Return the position of the first switch in the step, and the distance of the next one from its end.
 
-        In parts of the step; infinite where there is none. And whether time alone decides there, so that it is exact.
+        Both are fractions of the step, infinite if there is none. Also return whether the switch depends only on time,
+        so that its time is exact.
         """
         look = partial(self._look, start, h, y, moves)
         positive, saturated = look(X, BASIS)
@@ -189,7 +190,7 @@ class Switches:
         return part, ahead, False
 
     def _leave(self, start: float, h: float, shortest: float, y: Array, moves: Array) -> float:
-        """Return after how many s no switching function is zero as at the start: a state of 1 moves by no 1e-30."""
+        """Return the step, s, after which all switching functions that start at zero have left it despite round-off."""
         x = np.append(0.0, np.geomspace(min(shortest / h, 1.0), 1.0, LEAVING))
         seen = np.array(self.decisions.evaluate(start + x * h, y + moves @ _basis(x))[0]) if self.decisions else y[:0]
         leaving = seen[(seen[:, 0] == 0.0) & (seen != 0.0).any(axis=1)] != 0.0
@@ -197,7 +198,7 @@ class Switches:
         return time if time > CHATTER * shortest else shortest
 
     def _look(self, start: float, h: float, y: Array, moves: Array, x: Array, basis: Array) -> tuple[Array, float]:
-        """(q, m) switching functions, positive at the start; and the part in which nothing saturates unseen."""
+        """Return (q, m) switching functions times their signs at the start, and the fraction from `_saturated`."""
         t, path = start + x * h, y + moves @ basis
         seen, saturating = self.decisions.evaluate(t, path) if self.decisions else ([], [])
         rows = np.array(seen).reshape(-1, len(x))
@@ -214,7 +215,7 @@ class Switches:
             nearby = self.decisions.evaluate(t, path * (1.0 + EPS * np.resize(ROUNDED, path.shape[::-1]).T))[0]
             noise = np.abs(self.signs * nearby - positive).max(axis=1)
             near = NEAR / EPS * noise
-            turns = np.abs(positive[:, 2]) > 3.0 * np.abs(positive[:, 1])  # twice a linear one, four times a square
+            turns = np.abs(positive[:, 2]) > 3.0 * np.abs(positive[:, 1])  # ratio 2 if linear, 4 if quadratic
             is_kept = (np.abs(positive[:, 0]) <= near) & np.where(
                 self.is_accepted, np.abs(positive[:, -1]) <= near, turns
             )
@@ -229,22 +230,22 @@ class Switches:
 
 
 def _just_before(time: float, closeness: float, shortest: float) -> float:
-    """Return a step that ends just before a switch; the shortest of all, which goes across, where it is at hand."""
+    """Return a step that ends just before a switch, or the shortest step, which crosses it, if it is too close."""
     step = time - max(SHORT * closeness * time, AT_HAND * shortest)
     return step if step > AT_HAND * shortest else shortest
 
 
 def _signs(seen: Array) -> Array:
-    """(q, 1) signs at the start, or the first that is not zero."""
+    """Return (q, 1) signs at the start, or at the first point where the function is not zero."""
     first = np.argmax(seen != 0.0, axis=1)
     signs: Array = np.sign(seen[np.arange(len(seen)), first])
     return signs[:, None]
 
 
 def _first_zero(x: Array, positive: Array) -> float:
-    """Return where the first of some functions, positive at the start, passes zero; infinity if none does.
+    """Return the first zero crossing of functions that are positive at the start; infinity if there is none.
 
-    What is zero at the start, and only there, leaves zero: the derivative at the start may be that of the other side.
+    Return 0 if a function leaves zero at the start, since the rates at the start may belong to the other side.
     """
     if (positive > 0.0).all():
         return math.inf
@@ -258,9 +259,9 @@ def _first_zero(x: Array, positive: Array) -> float:
 
 
 def _first_dip(positive: Array, look: Callable[[Array, Array], tuple[Array, float]]) -> float:
-    """Return where the first of them passes zero between two of the points X, to come back before the next.
+    """Return the first zero crossing of functions that return to positive before the next point of X.
 
-    It is looked at ever closer to where it may turn, until it has passed or no parabola reaches zero.
+    Refine the points near each minimum until one is beyond zero or no parabola reaches zero.
     """
     for turn in _turns(positive):
         x, turns = X, [turn]
@@ -276,7 +277,7 @@ def _first_dip(positive: Array, look: Callable[[Array, Array], tuple[Array, floa
 
 
 def _turns(positive: Array) -> list[int]:
-    """Return the numbers of the points near which one of them comes down to zero and turns back, by a parabola."""
+    """Return the indices of points near which a parabola through three points has a minimum close to zero."""
     curvature = positive @ DIFFERENCES[:, :-1]
     a, b, c = positive[:, :-2], positive[:, 1:-1], positive[:, 2:]
     if (np.minimum(b, c) > 0.225 * curvature).all():
@@ -284,14 +285,14 @@ def _turns(positive: Array) -> list[int]:
     with np.errstate(all="ignore"):
         lowest = b - (a - c) ** 2 / (8 * curvature)
     turning = (b <= a) & (b <= c)
-    turning[:, -1] |= (c < b)[:, -1] & (a + 3.0 * c > 4.0 * b)[:, -1]  # it rises at the end: between the last two
+    turning[:, -1] |= (c < b)[:, -1] & (a + 3.0 * c > 4.0 * b)[:, -1]  # rises at the end: minimum between the last two
     points = np.flatnonzero((turning & (curvature > 0) & (lowest < 0.1 * curvature)).any(axis=0))
     turns: list[int] = (points + 1).tolist()
     return turns
 
 
 def _saturated(arguments: Sequence[Array]) -> float:
-    """Return the part of a step in which no argument of exp, tanh and their like changes by itself, or 2 REACH."""
+    """Return the fraction of a step in which no argument u of exp, tanh etc. changes by more than |u| and 2 REACH."""
     part = math.inf
     for u in arguments:
         beyond = np.abs(u - u[0]) > 2.0 * max(0.5 * abs(u[0]), REACH)
