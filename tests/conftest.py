@@ -1,4 +1,4 @@
-"""What the tests share: the course, seeds, grading in the real sandbox without a command line around it, nbgrader."""
+"""Fixtures of all tests: the course, grading in the real sandbox without the command line, browser tabs, nbgrader."""
 
 import contextlib
 import json
@@ -45,28 +45,28 @@ for line in sys.stdin:
 """
 
 
-# What runs in the background of a shell ignores Ctrl-C, under nohup its end, and so would all that it starts.
+# A background job of a shell ignores SIGINT, and a job under nohup ignores SIGHUP; its child processes inherit that.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """What is of one assignment, of one module, or needs the browser runs in one process: it shares what is started."""
+    """Run the tests of an assignment, of a module, or of the browser in one xdist process: they share fixtures."""
     for item in items:
         groups = [*re.findall(r"[-[](hw\d\d)", item.nodeid), item.nodeid.partition("::")[0]]
         item.add_marker(pytest.mark.xdist_group("browser" if "tabs" in item.fixturenames else groups[0]))
 
 
 def pytest_make_parametrize_id(val):
-    """Bytes and long texts go by their length: an id has to be the same in all processes, and a zip file has a time."""
+    """Return a length as the id of bytes or a long text: ids must agree in all processes; zip files contain times."""
     if isinstance(val, bytes):
         return f"{len(val)} bytes"
     return f"{len(val)} characters" if isinstance(val, str) and len(val) > 80 else None
 
 
 def pytest_generate_tests(metafunc):
-    """A test with `slug` runs for every assignment."""
+    """Run each test that has a parameter `slug`, and does not parametrize it itself, for every assignment."""
     parameters = [decorator.args[0] for decorator in metafunc.definition.iter_markers("parametrize")]
     if "slug" in metafunc.fixturenames and not any(names == "slug" or "slug" in names for names in parameters):
         metafunc.parametrize("slug", SLUGS)
@@ -74,7 +74,7 @@ def pytest_generate_tests(metafunc):
 
 @pytest.fixture(autouse=True)
 def _numbers_of_its_own(request):
-    """A module's random numbers begin anew for each test: they do not depend on which tests ran before it."""
+    """Seed the module's generator DRAW for each test, so that its numbers do not depend on the tests before it."""
     if random_numbers := getattr(request.module, "DRAW", None):
         seed = zlib.crc32(request.node.nodeid.encode())
         random_numbers.bit_generator.state = np.random.default_rng(seed).bit_generator.state
@@ -82,7 +82,7 @@ def _numbers_of_its_own(request):
 
 @pytest.fixture(autouse=True)
 def _handlers():
-    """Those of the signals that a command listens to are set back: a command that was interrupted hears no more."""
+    """Restore the signal handlers after each test: commands replace them."""
     handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
     yield
     for number, handler in handlers.items():
@@ -91,7 +91,7 @@ def _handlers():
 
 @pytest.fixture(scope="session", autouse=True)
 def _warm_workers():
-    """Commands of one process share the workers of the sandbox: to start one takes longer than to grade with it."""
+    """Share the zygotes among all commands of this process: starting one takes longer than grading with it."""
     with pytest.MonkeyPatch.context() as patch, sandboxes():
         patch.setattr(executor, "sandboxes", contextlib.nullcontext)
         patch.setattr("tam570_grader.sandbox.pool.sandboxes", contextlib.nullcontext)
@@ -100,7 +100,7 @@ def _warm_workers():
 
 @pytest.fixture
 def here(tmp_path, monkeypatch):
-    """An empty folder, in which commands are given, and nothing remembered."""
+    """Return an empty folder, which is the working directory and contains the folder TAM570_HOME."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     return tmp_path
@@ -108,7 +108,7 @@ def here(tmp_path, monkeypatch):
 
 @pytest.fixture
 def cold():
-    """No worker is warm: the test starts its own."""
+    """Close all warm zygotes, so that the test starts new ones."""
     with sandboxes():
         pass
 
@@ -120,7 +120,7 @@ def course():
 
 @pytest.fixture(scope="session")
 def zygotes():
-    """A warm worker for what an assignment needs, or for all that any text imports, and each allowance."""
+    """`zygote(slug, limits, text)` -> a zygote with the assignment's imports; with all imports if text has some."""
     started, imports = {}, {slug: assignments.sandbox_imports(COURSE, slug) for slug in SLUGS}
     everything = {*COMMON}.union(*(needed for needed, _ in imports.values()))
 
@@ -151,7 +151,7 @@ def grade(zygotes):
 
 @pytest.fixture
 def student_of(zygotes):
-    """`student_of(slug, text)` -> the Student whose submission has this text; it leaves at the end of the test."""
+    """`student_of(slug, text)` -> the Student whose submission has this text; its process ends with the test."""
     with contextlib.ExitStack() as stack:
 
         def student_of(slug, text):
@@ -165,13 +165,13 @@ def student_of(zygotes):
 
 @pytest.fixture(scope="session")
 def solution_text():
-    """The source of the reference solution of an assignment."""
+    """`solution_text(slug)` -> the source of the reference solution of an assignment."""
     return lambda slug: (COURSE / "solutions" / f"{slug}.py").read_text()
 
 
 @pytest.fixture(scope="session")
 def tabs():
-    """`tabs(**options)` -> a tab of headless Chromium, always the same one: to start its process takes a second."""
+    """`tabs(**options)` -> a tab of headless Chromium, the same for the same options: starting it takes a second."""
     driver = pytest.importorskip("playwright.sync_api", reason="no playwright: pip install playwright")
     chromium = next((path for name in BROWSERS if (path := shutil.which(name))), None)
     if chromium is None:
@@ -184,7 +184,7 @@ def tabs():
 
 @pytest.fixture
 def open_tab(tabs):
-    """`open_tab(address, (width, height), **options)` -> the only tab; it must not complain, nor ask other servers."""
+    """`open_tab(address, (width, height), **options)` -> the tab. Fail if it logs errors or requests other hosts."""
     complaints, opened = [], contextlib.ExitStack()
 
     def open_tab(address, size=(1280, 800), allowed=("file:", "data:"), **options):
@@ -197,7 +197,7 @@ def open_tab(tabs):
         }.items():
             tab.on(event, hear)
             opened.callback(tab.remove_listener, event, hear)
-        tab.set_default_timeout(300_000)  # ms: a busy machine fails no test
+        tab.set_default_timeout(300_000)  # ms, so that no test fails on a busy machine
         tab.set_viewport_size(dict(zip(("width", "height"), size, strict=True)))
         tab.emulate_media(media="null")
         tab.goto(address)
@@ -211,7 +211,7 @@ def open_tab(tabs):
 
 @pytest.fixture(scope="session")
 def nbgrader(tmp_path_factory):
-    """`nbgrader(folder, *command)` -> what it says; the command line in a process that has imported it already."""
+    """`nbgrader(folder, *command)` -> what nbgrader prints; it runs in a fork of a process that has imported it."""
     log = tmp_path_factory.mktemp("log") / "log.txt"
     path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"  # nbgrader starts alembic and jupyter
     pipes, environment = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}, {**os.environ, "PATH": path}
@@ -232,7 +232,7 @@ def nbgrader(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def made_course():
-    """`made_course(folder, slugs)` -> the course as the command writes it, with an exchange, and a student's config."""
+    """`made_course(folder, slugs)` -> the course folder that the command `course` writes, and a student's config."""
 
     def made_course(folder, slugs):
         assert cli.main(["--root", str(COURSE), "course", str(folder / "course"), *slugs]) == 0
@@ -247,11 +247,11 @@ def made_course():
 
 @pytest.fixture(scope="session")
 def nbgrader_grades():
-    """`nbgrader_grades(course)` -> {(student, assignment, cell): grade}, by nbgrader's gradebook."""
+    """`nbgrader_grades(course)` -> {(student, assignment, cell): (auto, manual score)} of nbgrader's gradebook."""
 
     def grades(course):
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # nbgrader's own, of SQLAlchemy
+            warnings.simplefilter("ignore")  # SQLAlchemy warns about nbgrader's code
             from nbgrader.api import Gradebook
 
             with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:

@@ -1,6 +1,6 @@
-"""Appended to a right module, it answers with odd values: texts, NaN, huge numbers, objects, other shapes, exceptions.
+"""Code that tests append to a correct module: functions return texts, NaN, objects, other shapes, or raise.
 
-`ODD` (seed, functions, share) says which functions answer oddly, and how often; the others stay right.
+`ODD` = (seed, functions, share): the functions that return odd values, and in which share of their calls.
 """
 
 import collections
@@ -12,7 +12,7 @@ import random
 
 import numpy as np
 
-DRAW = random.Random(ODD[0])  # noqa: F821  the test puts it before
+DRAW = random.Random(ODD[0])  # noqa: F821  the test defines ODD above this text
 
 
 class Liar(float):
@@ -112,7 +112,7 @@ CHANGES = [
 
 
 def changed(value):
-    """The right value with something odd about it: of a list one member, of an array the whole, of a formula a term."""
+    """Return the correct value with an odd change: in one member of a list, all of an array, or a term of a formula."""
     if isinstance(value, list | tuple) and value:
         items = list(value)
         if DRAW.random() < 0.3:
@@ -140,7 +140,7 @@ def changed(value):
 
 
 def odd(value):
-    """An odd answer, or an exception, in the place of the right one, which is asked for where it is needed."""
+    """Return an odd answer in place of the correct value, or raise; call `value` only if the answer needs it."""
     way = DRAW.random()
     if way < 0.45:
         return changed(value() if callable(value) else value)
@@ -152,7 +152,7 @@ def odd(value):
 
 
 def scribble(axes):
-    """Something odd on the Axes that a plot function is given."""
+    """Do something odd to the Axes that a plot function receives."""
     many = np.geomspace(5e-324, 1e308, 50)
     ways = [
         *(axes.clear, axes.remove, axes.invert_yaxis, axes.figure.clear),

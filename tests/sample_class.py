@@ -1,9 +1,9 @@
-"""Puts together a class of submissions as nbgrader collects them, for `make demo` and for trying the grader.
+"""Write the submissions of a sample class into nbgrader's layout, for `make demo` and for trying the grader.
 
     python tests/sample_class.py DIR
 
-Every assignment has right answers in different styles, answers that are wrong in known ways, one that is half
-done, one that hangs, one that crashes and one that attacks the grader. They are the submissions of the tests.
+Each assignment has correct submissions in several styles, submissions with known mistakes, one that is half done, one
+that hangs, one that crashes, and the stub; hw08 also has some of the attacks of `tests/hostile`.
 """
 
 import sys
@@ -28,7 +28,7 @@ CRASHES = REPLACED.format(body="__import__('os').abort()")
 
 
 def sample_class() -> Iterator[tuple[str, str, str]]:
-    """(student, assignment, text) of every submission."""
+    """Yield (student, assignment, text) of every submission."""
     course = assignments.find()
     for slug in assignments.slugs(course):
         solution = (course / "solutions" / f"{slug}.py").read_text()
@@ -46,7 +46,7 @@ def sample_class() -> Iterator[tuple[str, str, str]]:
 
 
 def half_done(solution: str) -> str:
-    """The solution up to its middle function, and the stub from there on."""
+    """Return the solution with the stub's text from its middle function on, which redefines those functions."""
     released = stub(solution)
     names = [line.split("(")[0] for line in released.splitlines() if line.startswith("def ")]
     middle = names[len(names) // 2]

@@ -1,4 +1,4 @@
-"""The benchmarks: their programs import what exists, and each result says how it was measured."""
+"""The programs of `benchmarks` import without an error."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Attacks: each gets what its honest part deserves, others notice nothing, and nothing is left behind."""
+"""An attack earns only the points of its correct functions, affects no other student, and leaves nothing behind."""
 
 import ast
 import contextlib
@@ -20,10 +20,10 @@ from tam570_grader.sandbox.zygote import ResourceLimits
 COURSE = assignments.find()
 SLUG = "hw08_axis_angle"
 FILES = sorted((Path(__file__).parent / "hostile").glob("*.py"))
-# `recurses` uses up its seconds, as an endless loop does.
+# `recurses` runs until its time limit, as an endless loop does.
 SLOW = [path for k, path in enumerate(FILES) if k % 8 or path.stem == "recurses"]
 ATTACKS = [pytest.param(path, marks=[pytest.mark.slow] * (path in SLOW)) for path in FILES]
-# No function of it calls another.
+# None of its functions calls another, so an attack on one function costs no points of the others.
 HONEST = COURSE / "autograder" / "checks" / SLUG / "alternatives" / "quaternions_and_lists.py"
 JUNK = """
 def skew(v): return [[0.0] * 3] * 3
@@ -31,13 +31,13 @@ def rotation_matrix(axis, angle): return [[0.0] * 3] * 3
 def rotate(r, axis, angle): return [0.0] * 3
 """
 BRIEF = ResourceLimits(cpu=4, call=1)
-A_CHECK = 2.0  # s of the supervisor, in which it judges what is honest
+A_CHECK = 2.0  # s of processor time that the supervisor needs to check the correct functions
 pytestmark = pytest.mark.skipif(isolation() != "bubblewrap", reason="needs bubblewrap and namespaces")
 
 
 @pytest.fixture
 def attacked(grade):
-    """`attacked(path, honest)` -> the result of the attack, on top of right functions or of junk."""
+    """`attacked(path, honest=...)` -> the result of the attack appended to correct functions or to JUNK."""
 
     def attacked(path, *, honest):
         text = (HONEST.read_text() if honest else JUNK) + "\n\n" + path.read_text()
@@ -69,14 +69,14 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
     after = grade(SLUG, solution_text(SLUG), seed=2, limits=BRIEF)
     assert after.score == after.max_score, said(after)
     zygote = zygotes(SLUG, BRIEF)
-    zygote.process(cpu=1.0).drop()  # with it goes the process that is ready for the next submission
+    zygote.process(cpu=1.0).drop()  # this also ends the process that waits for the next submission
     assert not processes(zygote.user), "left running"
     assert not planted(), "left lying about"
 
 
 @pytest.mark.slow
 def test_a_class_of_attackers_costs_their_allowances_and_no_more(grade, solution_text, zygotes, monkeypatch):
-    """Every second attack, and an honest one behind them, on one worker, which outlives them all."""
+    """Every second attack and then the solution run in one zygote, which survives; no attack exceeds its time limit."""
     spent = []
 
     class Counted(Student):
@@ -104,9 +104,9 @@ def test_no_hidden_input_comes_back(attacked):
 
 
 def processes(user):
-    """Processes of ours that are the user's; those that were just killed have a moment to go.
+    """Return the user's processes below this one; wait for those that were just killed to end.
 
-    Another worker's zygote may have a user of the same number.
+    Only descendants count, because the zygote of another xdist worker may use the same user id.
     """
     for _ in range(600):
         actual = [child for child in psutil.Process().children(recursive=True) if user in owners(child)]

@@ -1,4 +1,4 @@
-"""The laws that every assignment obeys. A new assignment is under them by being there."""
+"""Laws that hold for every assignment; the tests find a new assignment by its files."""
 
 import ast
 import re
@@ -32,7 +32,7 @@ WRAPPERS = {
 
 
 def first_of_each(cases, key):
-    """Arguments of `parametrize`: the cases with ids; all but the first of each key are slow."""
+    """Return arguments of `parametrize`: the cases with ids; all but the first case of each key are marked slow."""
     keys = [key(*case) for case in cases]
     slow = [key in keys[:k] for k, key in enumerate(keys)]
     return {
@@ -60,7 +60,7 @@ def test_no_released_file_holds_a_solution_or_a_hidden_check(slug, course, solut
     checks = assignments.checks_folder(course, slug).glob("*.py")
     secret = solution_text(slug) + "\n".join(path.read_text() for path in checks)
     lines = {line.strip() for line in {*secret.splitlines()}.difference(stub(solution_text(slug)).splitlines())}
-    lines = {line for line in lines if len(line) > 30 and line[0] != '"'}  # an example has the label of its input
+    lines = {line for line in lines if len(line) > 30 and line[0] != '"'}  # the example of an input repeats its label
     for path in (course / "assignments" / slug).iterdir():
         text = path.read_text() if path.is_file() else ""
         assert not (leaked := [line for line in lines if line in text]), f"{path.name} shows {leaked}"
@@ -101,7 +101,7 @@ def test_right_answers_in_other_styles_have_full_marks(slug, path, seed, grade):
 @pytest.mark.parametrize(("slug", "mistake"), **first_of_each(MISTAKES, lambda slug, _: slug))
 @pytest.mark.parametrize("seed", first(1, range(1, 4)))
 def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(slug, mistake, seed, grade, solution_text):
-    naming = mistake.compared or seed > 1  # to look in vain for a name takes up to half a minute
+    naming = mistake.compared or seed > 1  # a search for the mistake that finds none takes up to 30 s
     result = grade(slug, f"{solution_text(slug)}\n\n{mistake.text}", seed, naming=naming)
     failed = [check for check in result.checks if check.outcome == "failed"]
     assert not outcomes(result, "grader_error"), failures(result)
@@ -113,7 +113,7 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(slug, 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))
 def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_text):
-    """First of all checks, or beside others: what is wrong in one function may be wrong in those that call it."""
+    """The check is the first to fail, or its failure does not follow from that of another check."""
 
     def is_caught(mistake):
         result = grade(slug, f"{solution_text(slug)}\n\n{mistake.text}", naming=False)
@@ -186,7 +186,7 @@ def test_an_endless_loop_scores_nothing(slug, grade, course):
 
 @cache
 def called_functions(slug):
-    """{check: the functions that it calls}."""
+    """Return {check: the functions that it calls}."""
     return calls_of_checks(COURSE, slug)[0]
 
 
@@ -208,7 +208,7 @@ def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form
 
 
 def wrapped(results, wrapper):
-    """Code that changes what the grader gets of each function whose result is numbers, not what another one gets."""
+    """Return code that changes the numeric results of functions that the grader calls, not of calls between them."""
     numeric = [name for name, returns in results.items() if isinstance(returns, Array | Group)]
     return f"""
 import numpy as np
@@ -230,7 +230,7 @@ for _name in {list(results)}:
 
 
 def filled(returns, number):
-    """Code of a result of the promised form, with the same number everywhere."""
+    """Return code for a result of the form `returns` that has the same number everywhere."""
     if isinstance(returns, Group):
         return "(" + ", ".join(filled(member, number) for member in returns.members) + ",)"
     if isinstance(returns, Drawing):

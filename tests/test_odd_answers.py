@@ -1,4 +1,4 @@
-"""Odd answers cost a student points, and nobody else anything: no grader error, no page lost, no run ended."""
+"""Odd answers cost only points: they cause no grader error, and feedback and report are still written."""
 
 import json
 import random
@@ -14,14 +14,14 @@ from tam570_grader.sandbox.student import Student
 
 COURSE = assignments.find()
 ODD = (Path(__file__).parent / "odd_answers.py").read_text()
-CASES = [("hw08_axis_angle", 50)]  # assignments, and how many odd answers at least
+CASES = [("hw08_axis_angle", 50)]  # (assignment, least number of odd answers)
 CASES += [pytest.param(slug, 2000, marks=pytest.mark.slow) for slug in assignments.slugs(COURSE)]
-SHARES = (1.0,) * 7 + (0.2,)  # of the calls that are answered oddly, in turn
+SHARES = (1.0,) * 7 + (0.2,)  # share of the calls that return an odd answer, used in turn by successive submissions
 
 
 @pytest.fixture
 def counted(monkeypatch):
-    """How many answers were odd: of those of the functions `counted.names` the share `counted.share`."""
+    """Count the odd answers in `counted.answers`: the share `counted.share` of the calls of `counted.names`."""
     real, counted = Student.replies, SimpleNamespace(names=(), share=1.0, answers=0.0)
 
     def replies(student, name, *args, **kwargs):
@@ -34,7 +34,7 @@ def counted(monkeypatch):
 
 
 def submission(slug, text, seed, share):
-    """The solution with its functions answering oddly, each call of all of them or some of a few, and their names."""
+    """Return the solution with odd answers (all functions if share is 1, else a few) and the names of the functions."""
     rng = random.Random(f"{slug} {seed}")
     names = [*assignments.assignment(COURSE, slug).results]
     names = names if share == 1 else rng.sample(names, min(len(names), rng.choice([1, 2, 4])))

@@ -1,4 +1,4 @@
-"""What a page tells, in bits, is no more than TRUST.md says."""
+"""A feedback page reveals no more bits about hidden inputs than TRUST.md says."""
 
 import builtins
 import math
@@ -19,7 +19,7 @@ TEXT = (COURSE / "autograder" / "TRUST.md").read_text()
 
 
 def errors_told(limit):
-    """What is said of errors of every size beyond a limit, many of them just beyond it."""
+    """Return the sentences about errors of every size above a limit, many of them just above it."""
     rng = np.random.default_rng(0)
     sizes = [*limit * (1 + 10 ** rng.uniform(-15.5, 1, 500)), *10 ** rng.uniform(-300, 300, 500)]
     failures = [Failure(quantity="x", error=float(size), limit=limit) for size in sizes if size > limit]
@@ -27,7 +27,7 @@ def errors_told(limit):
 
 
 def times_told():
-    """What is said of the time of the largest error, of any times."""
+    """Return the times of the largest error that failures state, for random time grids."""
     rng, times = np.random.default_rng(1), set()
     for _ in range(100):
         t = np.sort(10 ** rng.uniform(-9, 9, 20))
@@ -40,7 +40,7 @@ def times_told():
 
 
 def sentences_told(slug):
-    """How many sentences of ours may name what went wrong."""
+    """Return an upper bound on the number of sentences that can name a mistake."""
     folder, solution = assignments.checks_folder(COURSE, slug), (COURSE / "solutions" / f"{slug}.py").read_text()
     texts = "".join(path.read_text() for path in folder.glob("*.py"))
     causes = len(mistakes(folder)) + sum(map(len, mutants_of(solution).values())) + len(vars(builtins))
@@ -48,16 +48,16 @@ def sentences_told(slug):
 
 
 def test_a_page_tells_no_more_bits_than_the_table_says():
-    """Each count is of what a page was seen to say; digits, where there are too many numbers to see them all."""
+    """Count the sentences that pages contain; where the numbers are too many to list, check their digits."""
     rows = re.findall(r"^\| ([^|]+) \| (\d+) \|", TEXT, re.MULTILINE)
     bits = {words.split(",")[0]: int(number) for words, number in rows}
     outcome, error, time, along, invariant, sentence, everything = bits.values()
-    two_digits = 90 * 633 + 1  # of any number of the machine
+    two_digits = 90 * 633 + 1  # numbers with two digits in the range of a double
     errors = errors_told(1e-6)
     assert all(len(re.sub(r"e.*|[^1-9]", "", text.split(" by ")[1])) <= 2 for text in errors)
     assert len(errors) < two_digits
     assert all(len(re.sub(r"e.*|[^1-9]", "", text)) <= 2 for text in times_told())
     assert error == time == math.ceil(math.log2(two_digits)) and outcome == math.ceil(math.log2(4 * 1001))
     assert along == invariant == BITS
-    assert 10 * sentences_told("hw14_rolling_disk") < 2**sentence  # of all the most, by far
+    assert 10 * sentences_told("hw14_rolling_disk") < 2**sentence  # hw14 has the most
     assert everything == outcome + error + time + along + invariant + sentence

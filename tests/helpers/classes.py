@@ -1,4 +1,4 @@
-"""What a class hands in, and what comes of it: files, notebooks, zip files, tables, results."""
+"""Write the submissions of a class (files, notebooks, zip files), and read the tables and results of grading."""
 
 import csv
 import io
@@ -11,7 +11,7 @@ HW08 = "hw08_axis_angle"
 
 
 def hand_in(folder, texts, slug=HW08, file="{0}/{0}.py"):
-    """Write the texts of a class, by student, each in a folder of the assignment; return the folder."""
+    """Write each student's text into the file `file` (formatted with slug) of the student's folder; return `folder`."""
     for student, text in texts.items():
         path = folder / student / file.format(slug)
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -27,7 +27,7 @@ def notebook(*cells):
 
 
 def packed(files):
-    """Return the bytes of a zip file."""
+    """Return the bytes of a zip file with these files ({name: text})."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, text in files.items():
@@ -36,7 +36,7 @@ def packed(files):
 
 
 def check_result(name="a", outcome="failed", points=0.0, message="", **fields):
-    """Return the result of a check of part a, of five points."""
+    """Return the result of a check of part a with five points at most."""
     return CheckResult(name, "a", points, 5.0, outcome, message, **fields)
 
 
@@ -49,19 +49,19 @@ def result(student, *checks, slug=HW08, **fields):
 
 
 def rows(path):
-    """Return the rows of a table, by the names of its columns."""
+    """Return the rows of a CSV table as dictionaries."""
     with open(path, newline="", encoding="utf-8-sig") as file:
         return list(csv.DictReader(file))
 
 
 def results(folder):
-    """Return the records of a run, in the order of students and assignments."""
+    """Return the records of a run, sorted by student and assignment."""
     records = [json.loads(line) for line in (folder / "results.jsonl").read_text().splitlines()]
     return sorted(records, key=lambda record: (record["student"], record["assignment"]))
 
 
 def outcome(folder):
-    """Return what must be the same in two runs: the results but for their seconds, the grades, the pages."""
+    """Return what must be equal in two runs: the results without their seconds, the grades, and the pages."""
     lines = [json.dumps({**record, "seconds": 0}) for record in results(folder)]
     pages = {path.relative_to(folder): path.read_text() for path in sorted((folder / "feedback").rglob("*.*"))}
     return lines, (folder / "grades.csv").read_text(), pages

@@ -1,4 +1,4 @@
-"""Parameters of tests: the assignments, and which cases `make test` runs."""
+"""Parameters of tests: the slugs of all assignments, and marks for the cases that `make test` leaves out."""
 
 from pathlib import Path
 

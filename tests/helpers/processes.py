@@ -1,4 +1,4 @@
-"""Other processes: what a fresh interpreter imports, and those below another one."""
+"""Other processes: the modules that a new interpreter imports, and the descendants of a process."""
 
 import contextlib
 import subprocess
@@ -9,14 +9,14 @@ import psutil
 
 
 def imported_modules(code):
-    """Return the modules that a fresh interpreter has loaded after running the code."""
+    """Return the names of the modules that a new interpreter has loaded after it ran the code."""
     text = f"import sys\n{code}\nprint(*sys.modules, file=sys.stderr)"
     process = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
     return set(process.stderr.split())
 
 
 def descendants(pid):
-    """Return the processes below another one."""
+    """Return the child processes of a process, and theirs, recursively."""
     return psutil.Process(pid).children(recursive=True)
 
 
@@ -27,7 +27,7 @@ def is_running(process):
 
 
 def await_end(processes, seconds=60):
-    """Fail if one of the processes is still there after so long."""
+    """Fail if one of the processes is still running after so many seconds."""
     deadline = time.monotonic() + seconds
     while any(map(is_running, processes)):
         assert time.monotonic() < deadline, "a process outlives the one that started it"

@@ -7,15 +7,15 @@ PENDULUM = {"length": 1.0, "gravity": 9.81}  # m, m/s^2
 
 
 def oscillator(t, y):
-    """Of frequency 1."""
+    """Return the rates of a harmonic oscillator of unit frequency."""
     return y[1], -y[0]
 
 
 def pendulum(t, state, *, length, gravity):
-    """The angle is from straight down."""
+    """Return the rates of a pendulum; its angle is zero straight down."""
     return state[1], -gravity / length * math.sin(state[0])
 
 
 def clock(t, y):
-    """y = exp(sin t): a stage at the wrong time shows, where the pendulum would hide it."""
+    """Return the rate of y = exp(sin t), which depends on t: a stage at the wrong time shows in the result."""
     return (y[0] * math.cos(t),)
