@@ -2,8 +2,7 @@
 
 A key contains code, defaults, and the values in closures and globals, also of all functions that are called. Only
 functions that evidently compute numbers from numbers have a key and are traced: they compare no identities, catch no
-errors except CAUGHT, keep no state between calls, and use only the names listed here. All others are called with
-arrays, untraced.
+errors except CAUGHT, keep no state between calls, and use only the names listed here. All others are called.
 """
 
 import dis

@@ -1,10 +1,9 @@
-"""What a right-hand side that is called as it stands decides by, written down once and evaluated at many points.
+"""Records the quantities by which a called right-hand side decides, and evaluates them at many points.
 
-A `Course` is a tape whose symbols are known at several points of a step at once. What a function decides by them, it
-decides as at the first point, and what it decides by is noted: the difference of two numbers that are compared, the
-distance from the next whole number where one is rounded, from the next entry where one is looked up in a table. Where
-one of these passes zero, the function may do something else. Until then the operations that lead to them are all that
-is repeated.
+A `Course` is a tape whose symbols have values at several points of a step. The function decides as at the first point,
+and the tape records the quantities behind its decisions, the switching functions: the difference of two numbers that
+are compared, the distance of a rounded number from the next integer, or from the next entry of a table. Where one
+crosses zero, the function may change its formulas. Until then only the operations that lead to them are repeated.
 """
 
 import copy
@@ -27,19 +26,20 @@ FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib",
 OURS = "tam570"
 FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}
 SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
-BY_BITS = {"spacing", "nextafter", "ulp", "arange"}  # it jumps, and no value of it tells where
-INSIDE = 1e-9  # of the first cell, where what is rounded is decided
-LARGEST_TABLE = 100_000
+BY_BITS = {"spacing", "nextafter", "ulp", "arange"}  # functions with jumps at points that no value reveals
+INSIDE = 1e-9  # of the first interval, the point at which numbers are rounded
+LARGEST_TABLE = 100_000  # entries
 
 
 class Course(Tape):
-    """A tape of a step: each number is known at several points of it, and what the function decides by is noted.
+    """A tape with values at several points of a step, which records the switching functions.
 
-    slots      : of each operation and each constant the value, at m points or the same at all; the first are t and y
-    operations : slot, function and slots of its operands
-    seen       : slots of what it decides by; saturating : of the arguments of exp, tanh and their like;
-    opaque     : a function that it calls and that nobody can look into, which may jump between the points; or nothing
-    denominators : of what has a pole where it is zero; lines : of what is affine in time alone; is_line : of the seen
+    slots      : the values of operations and constants, at m points or constant; the first are t and y
+    operations : slot of the result, function and slots of its operands
+    seen       : slots of the switching functions; saturating : slots of arguments of exp, tanh and the like
+    opaque     : a called function that cannot be analyzed and may jump between the points; empty if none
+    denominators : slots of denominators, whose zeros are poles; lines : slots that are affine in time alone
+    is_line    : whether each of `seen` is in `lines`
     """
 
     def __init__(self, t: Array, y: Array) -> None:
@@ -66,7 +66,7 @@ class Course(Tape):
         return len(self.slots) - 1
 
     def record(self, function: Numbers, *operands: Numbers) -> Symbol:
-        """Write down what a function, or an operator, makes of symbols and numbers, point by point."""
+        """Record the result of a function, or of the operator with this name, on symbols and numbers at all points."""
         function, numbers = OPERATORS.get(function, function), tuple(map(self.slot_of, operands))
         self.slots.append(function(*(self.slots[i] for i in numbers)))
         self.operations.append((len(self.slots) - 1, function, numbers))
@@ -94,7 +94,7 @@ class Course(Tape):
         return _lifted(function)
 
     def sign(self, x: Symbol) -> float:
-        """Note a difference; return its sign on the path that the function takes. TypeError if it is complex."""
+        """Record x as a switching function; return the sign of its first nonzero value. TypeError if x is complex."""
         if self.is_complex(x):
             raise TypeError("complex numbers have no order")
         self.seen += [] if x.number in self.seen else [x.number]
@@ -102,7 +102,7 @@ class Course(Tape):
         return math.copysign(1.0, first) if first else 0.0
 
     def rounded(self, x: Symbol, half: float = 0.0) -> float:
-        """Return the whole number below, or the nearest with half = 0.5; note where it changes."""
+        """Return x rounded down, or to the nearest integer with half = 0.5; record where the result changes."""
         moved = self.record("+", x, half)
         self.lines |= {moved.number} if x.number in self.lines else set()
         low = float(math.floor(self.soon(moved)))
@@ -110,7 +110,7 @@ class Course(Tape):
         return low
 
     def soon(self, x: Symbol) -> float:
-        """Return it just beyond the start, where it may be whole."""
+        """Return the value just after the first point, as x may be an integer there."""
         first, second, *_ = values = self.values(x)
         soon = first + INSIDE * (second - first)
         return float(soon if soon != first else np.nextafter(first, values[np.argmax(values != first)]))
@@ -122,12 +122,12 @@ class Course(Tape):
             self.lines |= {*distances} if x.number in self.lines else set()
 
     def note_table(self, x: Symbol, table: Sequence[float]) -> None:
-        """Note the distance from the next numbers of a table, above and below."""
+        """Record the distances from the neighboring entries of a table."""
         position = int(np.searchsorted(table, self.soon(x)))
         self.note_levels(x, *table[max(position - 1, 0) : position + 1])
 
     def forget_results(self) -> None:
-        """Keep the operations that lead to what is noted; of a function that decides by nothing else no poles."""
+        """Drop operations that no switching function needs; poles count if there are other switching functions."""
         self.seen += self.denominators if self.seen else []
         self.is_line = np.array([slot in self.lines for slot in self.seen], dtype=bool)
         needed = {*self.seen, *self.saturating}
@@ -136,7 +136,7 @@ class Course(Tape):
         self.operations = [operation for operation in self.operations if operation[0] in needed]
 
     def evaluate(self, t: Array, y: Array) -> tuple[list[Array], list[Array]]:
-        """Return what was seen, and what saturates, at other points, as far as the function decides the same."""
+        """Return switching functions and saturating arguments at other points, valid while decisions are the same."""
         slots = self.slots
         slots[: len(y) + 1] = t, *y
         for slot, function, operands in self.operations:
@@ -149,7 +149,7 @@ def _sign(x: Numbers) -> float:
 
 
 def _holds(test: Function, x: Numbers) -> bool:
-    """Return whether it does at the start; note where it changes."""
+    """Return whether the test is true for x at the first point; record where that changes."""
     if not isinstance(x, Symbol):
         return bool(test(x))
     course: Numbers = x.tape
@@ -157,15 +157,15 @@ def _holds(test: Function, x: Numbers) -> bool:
 
 
 def _recorded(part: Function, x: Numbers) -> Numbers:
-    """Return a part of a complex number, known or not."""
+    """Return a part of a complex number or symbol."""
     if not isinstance(x, Symbol):
         return part(x)
     course: Numbers = x.tape
-    course.note_levels(x, *[0.0] * (part is np.angle))  # it is cut there
+    course.note_levels(x, *[0.0] * (part is np.angle))  # branch cut
     return course.record(part, x)
 
 
-# Functions that decide, and parts of complex numbers, by the name that they have in math or NumPy.
+# Functions that decide, and parts of complex numbers, by their name in math or NumPy.
 DECIDING: dict[str, Function] = {
     "sign": lambda x: _sign(x),
     "copysign": lambda x, y: abs(x) * (_sign(y) or 1.0),
@@ -196,7 +196,7 @@ DECIDING: dict[str, Function] = {
 
 
 class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
-    """An array of symbols. It has the parts of complex numbers, and the types, that an array of objects lacks."""
+    """An array of symbols with the parts of complex numbers and the conversions that an array of objects lacks."""
 
     @property
     def real(self) -> Numbers:
@@ -215,7 +215,7 @@ class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
         self[...] = self.real + 1j * value
 
     def _by_component(self, name: str) -> Numbers:
-        """Return the parts, not to be written to: the whole would not change."""
+        """Return the parts, read-only because they are copies."""
         parts = np.frompyfunc(DECIDING[name], 1, 1)(self)
         parts.flags.writeable = False
         return parts
@@ -235,7 +235,7 @@ class Components(np.ndarray[tuple[int, ...], np.dtype[np.object_]]):
 
 
 def _parts(value: Numbers) -> Numbers:
-    """Return the symbols in an argument."""
+    """Yield the symbols in an argument."""
     if isinstance(value, Symbol):
         yield value
     elif isinstance(value, np.ndarray) and value.dtype == object:
@@ -246,7 +246,7 @@ def _parts(value: Numbers) -> Numbers:
 
 
 def _replaced(value: Numbers, replace: Function) -> Numbers:
-    """Return a copy of an argument with others in the place of its symbols."""
+    """Return a copy of an argument with replace(symbol) for each symbol."""
     if isinstance(value, Symbol):
         return replace(value)
     if type(value) in (list, tuple):
@@ -259,7 +259,7 @@ def _replaced(value: Numbers, replace: Function) -> Numbers:
 
 
 def _lifted(function: Function) -> Function:
-    """Return a function of numbers, and arrays of them, as one of symbols."""
+    """Return a function of numbers and arrays as one that also accepts symbols and arrays of symbols."""
     name = getattr(function, "__name__", "")
     name = f"math.{name}" if function in (math.isclose, math.remainder) else name
 
@@ -272,7 +272,7 @@ def _lifted(function: Function) -> Function:
             result = function(*map(_plain_type, arguments), **{k: _plain_type(a) for k, a in keywords.items()})
             return result.astype(object).view(Components) if name in FILLED and result.dtype.kind in "fc" else result
         tape: Course = symbols[0].tape
-        arguments = tuple(a for a in arguments if not _is_number_type(a))  # symbols have none
+        arguments = tuple(a for a in arguments if not _is_number_type(a))  # symbols have no such type
         keywords = {key: a for key, a in keywords.items() if not _is_number_type(a)}
         scalars = all(isinstance(a, Symbol | Complex) for a in arguments)
         if name in SATURATING:
@@ -301,14 +301,14 @@ def _lifted(function: Function) -> Function:
 def _point_by_point(
     tape: Course, function: Function, symbols: list[Symbol], arguments: Numbers, keywords: Numbers
 ) -> Symbol:
-    """Return what a function makes of symbols that nobody can look into: of tables the entries are seen."""
+    """Record calls, point by point, of a function that cannot be traced; record where symbols cross table entries."""
     tables = [*filter(_is_table, arguments), *_tables_of(function)]
     package = (getattr(function, "__module__", "") or "").partition(".")[0]
     before, tape.opaque = tape.opaque, getattr(function, "__name__", type(function).__name__)  # it may raise
     for table in tables:
         for symbol in symbols:
             tape.note_table(symbol, table)
-    call = _replaced((arguments, tuple(keywords.values())), lambda symbol: symbol)  # the function may change them later
+    call = _replaced((arguments, tuple(keywords.values())), lambda symbol: symbol)  # as the function may change them
 
     def results(*values: Array) -> list[Numbers]:
         columns = {symbol.number: v.tolist() for symbol, v in zip(symbols, values, strict=True)}
@@ -322,13 +322,13 @@ def _point_by_point(
 
 
 def _joined(tape: Course, results: Symbol) -> Numbers:
-    """Return the symbols of what came at each point."""
+    """Return results at all points as symbols; integers and bools are decisions."""
     first = tape.values(results)[0]
     if isinstance(first, tuple | list):
         parts = (tape.record(lambda r, i=i: [part[i] for part in r], results) for i in range(len(first)))
         return type(first)(_joined(tape, part) for part in parts)
     array = np.asarray(first)
-    if array.dtype.kind in "biu" and array.ndim == 0:  # it chose
+    if array.dtype.kind in "biu" and array.ndim == 0:
         tape.sign(tape.record(lambda r: np.where(np.array(r) == first, 1.0, -1.0), results))
         return first
     joined = np.empty(array.size, dtype=object)
@@ -338,7 +338,7 @@ def _joined(tape: Course, results: Symbol) -> Numbers:
 
 
 def _is_table(value: Numbers) -> bool:
-    """Return whether a value is an increasing list of numbers."""
+    """Return whether a value is a sequence of numbers that does not decrease."""
     if not isinstance(value, list | tuple | np.ndarray):
         return False
     try:
@@ -349,7 +349,7 @@ def _is_table(value: Numbers) -> bool:
 
 
 def _tables_of(function: Function) -> list[Numbers]:
-    """Return the tables that an object keeps, such as an interpolant of SciPy's."""
+    """Return the tables in attributes of an object, such as an interpolant of SciPy."""
     if isinstance(function, types.FunctionType | types.BuiltinFunctionType | np.ufunc | type):
         return []
     members = [getattr(function, name, None) for name in dir(function) if name[0] != "_"]
@@ -358,7 +358,7 @@ def _tables_of(function: Function) -> list[Numbers]:
 
 
 def _substitute(value: Numbers) -> Numbers:
-    """Return what stands in for a value in a function of symbols; itself where it is to be looked into."""
+    """Return the replacement of a value in a function of symbols; the value itself if it is to be traced."""
     if isinstance(value, types.ModuleType):
         return Module(value, lambda used: substituted(used, _substitute, STAND_INS))
     if isinstance(value, types.BuiltinFunctionType):
@@ -384,7 +384,7 @@ def _substitute(value: Numbers) -> Numbers:
 
 
 def _copied(instance: Numbers) -> Numbers:
-    """Return an instance with copies of its lists and their like: what its methods put there stays the copy's."""
+    """Return a copy of an instance for symbols, also of its containers, so that methods do not modify the original."""
     if isinstance(instance, type) or not hasattr(instance, "__dict__"):
         return instance
     twin = copy.copy(instance)
@@ -399,7 +399,7 @@ def _copied(instance: Numbers) -> Numbers:
 
 
 def _when_called(method: types.FunctionType) -> Function:
-    """Return a method of courses, substituted when it is first called: it may use its own instance by name."""
+    """Return a method for symbols, substituted when first called, as it may refer to its instance by name."""
     substitute = functools.cache(lambda: substituted(method, _substitute, STAND_INS))
     return lambda *arguments, **keywords: substitute()(*arguments, **keywords)
 
@@ -414,7 +414,7 @@ def _is_foreign(function: types.FunctionType) -> bool:
 
 
 class _Type(type):
-    """Of what stands in for a type of numbers; `plain` is that type."""
+    """Metaclass of the stand-ins for number types; plain : the type that is replaced."""
 
     plain: type
 
@@ -461,7 +461,7 @@ def _plain_type(value: Numbers) -> Numbers:
 
 
 def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
-    """Return profile(t, y): what rates(t, y) decides by at (m,) times and (k, m) states."""
+    """Return profile(t, y), which returns the course of rates(t, y) at (m,) times and (k, m) states."""
     twin = substituted(rates, _substitute, STAND_INS)
 
     def profile(t: Array, y: Array) -> Course:
@@ -475,12 +475,12 @@ def along(rates: Function, size: int) -> Callable[[Array, Array], Course]:
 
 
 def copy_of(rates: Function) -> Function:
-    """Return a copy of a function that keeps what it remembers to itself: lists and their like, and variables."""
+    """Return a copy of a function with separate memory: variables, lists and other containers."""
     return substituted(rates, _with_own_memory, {})  # type: ignore[no-any-return]
 
 
 def _with_own_memory(value: Numbers) -> Numbers:
-    """Return an object with copies of its lists and their like; of functions of others nobody looks into."""
+    """Return a callable object with copies of its containers; functions of other packages are left unchanged."""
     if isinstance(value, types.FunctionType):
         return functools.partial(value) if _is_foreign(value) else value
     if isinstance(value, types.MethodType) and _is_looked_into(value.__func__):

@@ -1,11 +1,11 @@
-"""DOP853: its tableau, the interpolant that we build on its own one, and the step for a number of components.
+"""DOP853: its tableau, an interpolant built on the original one, and the generated step.
 
 Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, 2nd ed., II.5 and II.10 (code dop853.f).
 
 The step is Python source without loops or arrays; it calls the rates. Names in it: y state, k0 its derivative, e3_1
-what stage 3's derivative of component 1 differs from that, s the state at a stage, n the new state, r what rounding
-took from the state, a the absolute tolerance, b what rounding does to the error estimates, c the constants of the
-scene. An error of component i is measured in units of a_i + b_i + rtol max(|y_i|, |n_i|).
+difference between the derivative of component 1 at stage 3 and k0_1, s state at a stage, n new state, r compensation
+(round-off lost from the state), a absolute tolerance, b round-off of the error estimates, c constants of the right-hand
+side. An error of component i is measured in units of a_i + b_i + rtol max(|y_i|, |n_i|).
 """
 
 import math
@@ -23,9 +23,9 @@ from tam570.integrate.error_scale import NO_SCALE, PART
 from tam570.integrate.formulas import Formulas, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
 
-Row = dict[int, float]  # coefficient of each earlier stage's derivative
+Row = dict[int, float]  # coefficients by the number of the earlier stage
 
-# Row 12 holds the weights of the step itself; 13 to 15 serve the interpolant only.
+# Row 12 contains the weights of the step; 13 to 15 are only for the interpolant.
 _STAGES = """
 1: 0 0.05260015195876773
 2: 0 0.0197250569845379 1 0.0591751709536137
@@ -53,7 +53,7 @@ _STAGES = """
    8 0.3567271874552811 12 -0.0013990241651590145 13 2.9475147891527724 14 -9.15095847217987
 """
 
-# theta^3 and up of Hairer's interpolant of order 7.
+# Hairer's interpolant of order 7: the terms from theta^3 on.
 _DENSE = """
 0: 0 -8.428938276109013 5 0.5667149535193777 6 -3.0689499459498917 7 2.38466765651207 8 2.117034582445028
    9 -0.871391583777973 10 2.2404374302607883 11 0.6315787787694688 12 -0.08899033645133331
@@ -69,7 +69,7 @@ _DENSE = """
    13 96.32455395918828 14 -39.17726167561544 15 -149.72683625798564
 """
 
-# The error estimates of order 5 and of order 3; the latter is the weights of the step less three of its own.
+# The error estimates of order 5 and 3; to E3 the weights of the step are added.
 _ESTIMATES = """
 E5: 0 0.01312004499419488 5 -1.2251564463762044 6 -0.4957589496572502 7 1.6643771824549864
    8 -0.35032884874997366 9 0.3341791187130175 10 0.08192320648511571 11 -0.022355307863886294
@@ -91,14 +91,14 @@ def _rows(text: str) -> list[Row]:
 ROWS: list[Row] = [{}, *_rows(_STAGES)]
 FIFTH, LESS = _rows(_ESTIMATES)
 
-# Sums of the rows, to the last bit: the rows' own numbers are rounded.
+# Row sums to the last bit, which sums of the rounded coefficients are not.
 _EARLY, _LATE = (6 - sqrt(6)) / 30, (6 + sqrt(6)) / 30
 NODES = [0.0, 4 / 9 * _EARLY, 2 / 3 * _EARLY, _EARLY, _LATE, 1 / 3, 1 / 4, 4 / 13, 127 / 195, 3 / 5, 6 / 7, 1.0, 1.0]
 NODES += [1 / 10, 1 / 5, 7 / 9]
 
 
 def _dense_weights() -> NDArray[np.float64]:
-    """(7, 16): Hairer's interpolant by stage; term i goes with theta^(i // 2 + 1) (1 - theta)^((i + 1) // 2)."""
+    """Return (7, 16): Hairer's interpolant by stage; row i is for theta^(i // 2 + 1) (1 - theta)^((i + 1) // 2)."""
     weights = np.zeros((7, 16))
     for j, b in ROWS[12].items():
         weights[:3, j] = b, -b, 2 * b
@@ -111,16 +111,16 @@ def _dense_weights() -> NDArray[np.float64]:
 
 @cache
 def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
-    """Rows and nodes of four further stages, and (4, 6) the last terms of the polynomial by datum.
+    """Return rows and nodes of four further stages, and (4, 6) weights of six data in the last terms of the polynomial.
 
-    DOP853's own interpolant has errors up to a hundred times those of the steps. So it only supplies the
-    states for four more derivatives; the polynomial of degree 7 takes these, both ends and their derivatives,
-    and its error is that of the step. The data, each less what h f at the start makes of it: the change over the
-    step, h f at its end, and at the four nodes. The terms are as in `_dense_weights`: by powers of theta alone the
-    weights would be five times as large, and so would what rounding makes of them.
+    The original interpolant has errors up to a hundred times those of the steps. So it only gives the states for four
+    more derivatives; a polynomial of degree 7 fits these and both ends with their derivatives, and its error is that of
+    the step. The data are the change over the step, and h f at its end and at the four nodes, each minus h f at the
+    start. The terms are those of `_dense_weights`; for plain powers of theta the weights, and so the round-off, would
+    be five times as large.
     """
     legendre = np.polynomial.legendre.Legendre.basis(6)
-    nodes = np.sort((1 + np.real(legendre.deriv(2).roots())) / 2)  # with both ends double: the least remainder
+    nodes = np.sort((1 + np.real(legendre.deriv(2).roots())) / 2)  # least remainder if both ends are double nodes
     p, q = np.array([1, 1, 2, 2, 3, 3, 4]), np.array([0, 1, 1, 2, 2, 3, 3])  # theta^p (1 - theta)^q
     basis = nodes[:, None] ** p * (1 - nodes[:, None]) ** q
     rows = [{j: float(a) for j, a in enumerate(row) if a} for row in basis @ _dense_weights()]
@@ -130,20 +130,20 @@ def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
     return rows, [float(node) for node in nodes], np.delete(weights[3:], 1, axis=1)
 
 
-KEPT = range(5, 12)  # the stages that the interpolant takes over from the step
+KEPT = range(5, 12)  # stages of the step that the interpolant uses
 UNIT_ROUNDOFF = 2.0**-53
-AMPLIFIED = 0.5  # at the end of a smooth step both derivatives are one to a tenth; 2 at h = -6 over the rate of decay
-REACH = 4.0  # tanh(4) is 1 to 7e-4, exp(-4) is 0.02: from twice that on a pulse is seen
-# The weights of both estimates add up to less: a rate known to N makes an error of 8 h N of them.
+AMPLIFIED = 0.5  # relative difference of derivatives at the end: 0.1 if smooth, 2 if h times a decay rate is 6
+REACH = 4.0  # change of an argument in a step: 1 - tanh(4) is 7e-4, exp(-4) 0.02, so a pulse is seen from twice as far
+# The root sum squares of the weights of both estimates are less: errors N of the rates cause one of 8 h N.
 ESTIMATE_ROUNDOFF = 8.0
-MOST_CACHED = 16  # components, for which the code of a step is left on the disk
-SWEEPS = (1.0, 2.0, 3.0)  # the rounding of one rate shifts that component, and so on the others' rates: chains of four
+MOST_CACHED = 16  # components, up to which the code of a step is cached on disk
+SWEEPS = (1.0, 2.0, 3.0)  # passes of the bound: the error of a rate shifts other rates, in chains of four
 
 
 def rates(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `rhs`, `reach` and `bends`.
+    """Return source of `rhs`, `reach` and `bends`.
 
-    forgiving : Python raises an error on overflow, where compiled code goes on with infinity
+    forgiving : whether to catch errors such as overflow, for Python; compiled code continues with infinity
     """
     reach, bends = _reach(formulas), _bends(formulas)
     if forgiving:
@@ -153,13 +153,13 @@ def rates(formulas: Formulas, forgiving: bool = True) -> str:
 
 
 def rounding(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `roundoff`."""
+    """Return source of `roundoff`."""
     roundoff = _roundoff(formulas)
     return _source([_forgiving(roundoff, "b") if forgiving else roundoff])
 
 
 def stepping(formulas: Formulas, forgiving: bool = True) -> str:
-    """Source of `step`, `cross`, `passed`, `error_norms` and `lesser`."""
+    """Return source of `step`, `cross`, `passed`, `error_norms` and `lesser`."""
     step, cross, nothing = _step(formulas), _cross(formulas), tuple_of(["nan"] * formulas.size)
     parts = [_forgiving(step, "y, r, f, inf, 0.0, ()") if forgiving else step]
     parts += [_forgiving(cross, f"{nothing}, r, f") if forgiving else cross]
@@ -168,7 +168,7 @@ def stepping(formulas: Formulas, forgiving: bool = True) -> str:
 
 
 def sampling(formulas: Formulas) -> str:
-    """Source of `dense` and `at`: states inside of a step."""
+    """Return source of `dense` and `at`, for states inside a step."""
     return _source([_dense(formulas), _at(formulas)])
 
 
@@ -177,22 +177,22 @@ def _source(parts: list[list[str]]) -> str:
 
 
 def _forgiving(function: list[str], answer: str) -> list[str]:
-    """Return a function that answers thus to an overflow or the root of a negative number: the step was too long."""
+    """Return a function that returns `answer` on overflow or a domain error: the step was too long."""
     signature, *body = function
     rescue = ["except (ArithmeticError, ValueError, LookupError):", f"    return {answer}"]
     return [signature, "try:", *(f"    {line}" for line in body), *rescue]
 
 
 def _combination(row: Row, i: int) -> str:
-    """Return the sum over the stages: of the row's sum times k0, and the differences from k0.
+    """Return the weighted sum of the stages' differences from k0, to which the caller adds the row sum times k0.
 
-    These are small: so are the roundings of weights as large as 43, and what these lack themselves.
+    The differences are small, and so is the round-off from weights as large as 43 and of these weights.
     """
     return " + ".join(f"{a!r} * e{j}_{i}" for j, a in row.items() if j)
 
 
 def _stage(formulas: Formulas, number: int, row: Row, node: float) -> list[str]:
-    """Lines that set e<number>: the derivative where the earlier stages point to, less that at the start."""
+    """Return lines that set e<number>: the derivative at the state given by the earlier stages, minus k0."""
     lines = []
     for i in sorted(formulas.reads):
         sum_ = " + ".join(filter(None, (f"{node!r} * k0_{i}", _combination(row, i))))
@@ -201,7 +201,7 @@ def _stage(formulas: Formulas, number: int, row: Row, node: float) -> list[str]:
 
 
 def _derivative(formulas: Formulas, number: int, time: str, less: str = "") -> list[str]:
-    """Lines that set k<number>, or where it is less that of the start, e<number>."""
+    """Return lines that set k<number>, the derivative at s, or e<number> if `less` subtracts k0."""
     clock = [f"t = {time}"] if formulas.timed else []
     letter = "e" if less else "k"
     rates = [f"{letter}{number}_{i} = {formulas.rates[i]}{less and less + str(i)}" for i in formulas.moving]
@@ -209,11 +209,11 @@ def _derivative(formulas: Formulas, number: int, time: str, less: str = "") -> l
 
 
 def _roundoff(formulas: Formulas) -> list[str]:
-    """Return what rounding does to the error estimates of a step of h.
+    """Return source of `roundoff`, a bound of the round-off in the error estimates of a step of h.
 
     A running error bound (Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.3): each operation adds
-    its own rounding to the one that its arguments carry; time and state are known to half a unit in the last place.
-    It is taken half way through the step: at its start too many things may be exactly zero.
+    its round-off to the error propagated from its arguments; time and state have errors of half a unit in the last
+    place. The bound is evaluated half way through the step, since at the start too many quantities may be exactly zero.
     """
     bounds = formulas.bounds
     lines = ["def roundoff(start, h, y, f, b, c):", *unpacked(formulas, y="y", f="f", b="b")]
@@ -232,9 +232,9 @@ def _roundoff(formulas: Formulas) -> list[str]:
 
 
 def _reach(formulas: Formulas) -> list[str]:
-    """Bound the step: no argument of exp, tanh and their like changes by more than half of itself, or REACH.
+    """Return source of `reach`: the step in which arguments x of exp, tanh etc. change by max(|x| / 2, REACH) at most.
 
-    Far from zero these functions are constant to rounding: an error estimate does not see what comes.
+    Far from zero these functions are constant up to round-off, so an error estimate cannot see what is ahead.
     """
     lines = ["def reach(start, h, y, f, c):"]
     if not formulas.exponents:
@@ -251,7 +251,7 @@ def _reach(formulas: Formulas) -> list[str]:
 
 
 def _bends(formulas: Formulas) -> list[str]:
-    """Return whether an argument of abs or its like passes zero in a step: it is looked at thrice."""
+    """Return source of `bends`: whether an argument of abs etc. changes sign, at the middle or end of a step."""
     lines = ["def bends(start, h, y, f, n, g, c):"]
     if not formulas.bends:
         return [*lines, "return False"]
@@ -272,14 +272,14 @@ def _lesser(formulas: Formulas) -> list[str]:
 
 
 def _step(formulas: Formulas) -> list[str]:
-    """One step of h from (t, y): new state, its rounding, derivative, both error estimates squared, stages kept.
+    """Return source of a step of h from (t, y): state, compensation, derivative, squared error estimates, stages.
 
     k_i = f(t + c_i h, y + h sum of a_ij k_j over j < i) for i = 0 ... 11, and n = y + h sum of b_i k_i, with `NODES` c
-    and `ROWS` a and b (Hairer, Norsett, Wanner, II.1 and II.5). Written with e_i = k_i - k_0, for a row of a adds up to
+    and `ROWS` a and b (Hairer, Norsett, Wanner, II.1 and II.5). Written with e_i = k_i - k_0, as a row of a adds up to
     c_i: y + h (c_i k_0 + sum of a_ij e_j).
 
-    Source of step(start, h, y, r, f, a, b, rtol, c): y, r, f, a, b of k numbers each. It returns n, r, f (k each), both
-    estimates, and the stages that the interpolant takes over.
+    step(start, h, y, r, f, a, b, rtol, c) takes y, r, f, a, b of k numbers each and returns n, r, f (k each), both
+    estimates, and the stages that the interpolant uses.
     """
     lines = ["def step(start, h, y, r, f, a, b, rtol, c):", *unpacked(formulas, y="y", r="r", f="k0_", a="a", b="b")]
     for number in range(1, 12):
@@ -292,18 +292,18 @@ def _step(formulas: Formulas) -> list[str]:
 
 
 def _cross(formulas: Formulas) -> list[str]:
-    """Return the new state after Euler's step, which knows the rates before a jump alone; and the derivative there."""
+    """Return source of `cross`: an Euler step, which uses only rates before a jump, and the derivative at its end."""
     lines = ["def cross(start, h, y, r, f, c):", *unpacked(formulas, y="y", r="r", f="k0_")]
     return [*lines, *_update(formulas, "k0_{i}"), f"return {_new_state(formulas)}"]
 
 
 def _new_state(formulas: Formulas) -> str:
-    """Return the new state, its rounding and its derivative."""
+    """Return source of the new state, its compensation and its derivative."""
     return ", ".join(tuple_of(names(letter, formulas.size)) for letter in ("n", "r", "k12_"))
 
 
 def _error_norms(formulas: Formulas) -> list[str]:
-    """Both error estimates of a step that was tried, squared, by a part of the tolerance and another rounding."""
+    """Return source of `error_norms`: the squared estimates of a tried step for part of the tolerance and a new b."""
     lines = ["def error_norms(h, y, n, f, g, a, b, part, rtol, stages):"]
     lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="k0_", g="k12_", a="a", b="b")
     lines += [f"{tuple_of(_kept(formulas))} = stages", "fifth = third = 0.0"]
@@ -317,7 +317,7 @@ def _kept(formulas: Formulas) -> list[str]:
 
 
 def _update(formulas: Formulas, rate: str) -> list[str]:
-    """Compensated sum (Kahan): what the addition loses is carried to the next step."""
+    """Return lines of a compensated sum (Kahan), which carries round-off to the next step, and the new derivative."""
     lines = []
     for i in range(formulas.size):
         if i in formulas.moving:
@@ -328,10 +328,10 @@ def _update(formulas: Formulas, rate: str) -> list[str]:
 
 
 def _estimate(i: int) -> list[str]:
-    """Add component i to both estimates of the error.
+    """Return lines that add component i to both error estimates.
 
-    Stage 11 is at the end of the step, as the new state is. If their derivatives differ, the step is beyond the region
-    of stability: the errors of what decays may be small enough at its end, and large inside.
+    Stage 11 is at the end of the step, like the new state. If their derivatives differ, the step is outside the region
+    of stability: the error of a decaying component may be small at the end of the step and large inside.
     """
     return [
         f"m = abs(y{i})",
@@ -344,12 +344,12 @@ def _estimate(i: int) -> list[str]:
         "third += x * x",
         f"d = abs(e11_{i} + k0_{i} - k12_{i})",
         f"if w * d > 1.0 and a{i} > {NO_SCALE!r} and d > {AMPLIFIED!r} * (abs(k0_{i}) + abs(k12_{i}) + abs(e8_{i})):",
-        "    fifth += 36.0 + 6.0 * sqrt(third)",  # an error of 6 to 60: half the step is tried
+        "    fifth += 36.0 + 6.0 * sqrt(third)",  # an error of 6 to 60, so that about half the step is tried next
     ]
 
 
 def _dense(formulas: Formulas) -> list[str]:
-    """Coefficients of the polynomial inside a step, component by component; the first three are of its ends alone."""
+    """Return source of `dense`: coefficients of the interpolant by component, the first three from the ends alone."""
     rows, nodes, last = interpolant()
     lines = ["def dense(start, h, y, n, f, g, stages, c):"]
     lines += unpacked(formulas, y="y", n="n", f="k0_", g="k12_")
@@ -370,7 +370,7 @@ def _dense(formulas: Formulas) -> list[str]:
 
 
 def _at(formulas: Formulas) -> list[str]:
-    """Write the state at the fraction x of a step into row `row` of `out`."""
+    """Return source of `at`, which writes the state at the fraction x of a step into row `row` of `out`."""
     coefficients = [f"q{term}_{i}" for i in formulas.moving for term in range(7)]
     lines = ["def at(out, row, x, y, q):", f"{tuple_of(coefficients)} = q", "z = 1.0 - x"]
     for i in range(formulas.size):
@@ -383,10 +383,10 @@ def _at(formulas: Formulas) -> list[str]:
 
 
 def compiled(formulas: Formulas, sampled: bool, called_function: Function | None = None) -> dict[str, Numbers]:
-    """Return the functions by name; `called_function` is the right-hand side where it is called as it stands.
+    """Return the functions by name; called_function : the right-hand side if it is called.
 
-    Steps call `rhs`: those of one size have the same code, which takes longer to compile than that of most rates.
-    What bounds no step is None.
+    Steps call `rhs`, so that all of one size share their code, which takes longer to compile than most rates.
+    Functions that never limit a step are None.
     """
     namespace: dict[str, Numbers] = {**vars(math), "rhs": called_function, "dense": None, "at": None}
     if called_function is None:
@@ -402,7 +402,7 @@ def compiled(formulas: Formulas, sampled: bool, called_function: Function | None
             return nothing
 
     def roundoff(*inputs: Numbers) -> Numbers:
-        exec(_code(rounding, formulas), namespace)  # most runs need none
+        exec(_code(rounding, formulas), namespace)  # on demand, as most runs need none
         return namespace["roundoff"](*inputs)
 
     needed = {"passed": False, "reach": formulas.exponents, "bends": formulas.bends}

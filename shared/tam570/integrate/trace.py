@@ -1,9 +1,8 @@
-"""A right-hand side specialised to its scene: call it once with symbols instead of numbers, write down what it did.
+"""Traces a right-hand side: calls it once with symbols instead of numbers, and records its operations as a graph.
 
-Parameters are numbers already, so what depends on them alone is computed here and now. Each operation is recorded once,
-in the order of its first use, and simplified on the way: a factor of zero takes its term along, a sum with zero is the
-other term. A function that asks what a number is (a comparison, a loop until convergence, a compiled routine) cannot be
-written down like this and is called as it stands.
+Parameters are numbers, so expressions that depend only on them are evaluated at once. Each operation is recorded once,
+in the order of first use, and simplified: a product with zero is zero, a sum with zero is the other term. A function
+that needs the value of a symbol (in a comparison, a loop until convergence, a compiled routine) cannot be traced.
 """
 
 import contextlib
@@ -23,11 +22,11 @@ from tam570.values import Function, Numbers, Parameters
 
 
 class Untraceable(TypeError):
-    """The function wants to know the value of a symbol."""
+    """Raised if a function needs the value of a symbol."""
 
 
 class Tape:
-    """What was done to the symbols, each operation once, in the order of its first use."""
+    """Records the operations on symbols, each once, in the order of first use."""
 
     def __init__(self) -> None:
         self.symbols: dict[tuple[Numbers, ...], Symbol] = {}
@@ -40,26 +39,26 @@ class Tape:
         return self.symbols[key]
 
     def combine(self, name: str, *operands: Numbers) -> Numbers:
-        """Return what an operator of Python makes of symbols and numbers."""
+        """Return the result of a Python operator on symbols and numbers, simplified."""
         return SIMPLIFIED[name](self, *operands)
 
     def method(self, name: str) -> Function:
-        """Return a function of symbols, by the name of a method that NumPy asks an object for."""
+        """Return a function of symbols, by the name of the method that NumPy calls for it on objects."""
         if name not in FUNCTIONS:
             raise AttributeError(name)
         return functools.partial(self.record, FUNCTIONS[name])
 
     def sign(self, x: "Symbol") -> float:
-        """Return the sign by which the function decides."""
+        """Return the sign of x, by which the function decides; raise Untraceable if it is unknown, as here."""
         raise Untraceable("depends on the value of the state")
 
     def rounded(self, x: "Symbol", half: float = 0.0) -> float:
-        """Return the whole number below x, or the nearest to it with half = 0.5."""
+        """Return x rounded down to an integer, or to the nearest one with half = 0.5."""
         return self.sign(x)
 
 
 def _called(function: Function, *arguments: Numbers) -> Numbers:
-    """Return what a function of the module math makes of symbols; numbers go to itself."""
+    """Return the result of a function of the module math on symbols, or on numbers only."""
     symbol = next((a for a in arguments if isinstance(a, Symbol)), None)
     if symbol is None:
         return function(*arguments)
@@ -73,8 +72,8 @@ def _called(function: Function, *arguments: Numbers) -> Numbers:
 
 def _operator(name: str, swapped: bool = False) -> Numbers:
     def method(self: "Symbol", other: Numbers) -> Numbers:
-        if not isinstance(other, (Symbol, float, Complex)):  # what is frequent first, and no union made each time
-            return NotImplemented  # NumPy goes through the elements of an array
+        if not isinstance(other, (Symbol, float, Complex)):  # frequent types first, and no union built per call
+            return NotImplemented  # for an array, NumPy then applies the operator to its elements
         return self.tape.combine(name, *((other, self) if swapped else (self, other)))
 
     return method
@@ -121,7 +120,7 @@ def _quotient(tape: Tape, a: Numbers, b: Numbers) -> Numbers:
 
 
 def _power(tape: Tape, base: Numbers, exponent: Numbers) -> Numbers:
-    """Small whole and half powers as products and a root: faster than pow, and no less accurate."""
+    """Return a power; small integers and halves become products and a root, faster than pow and as accurate."""
     if isinstance(exponent, Symbol) or not float(2 * exponent).is_integer() or abs(exponent) > 8:
         return tape.record("pow", base, exponent)
     if exponent < 0:
@@ -135,7 +134,7 @@ def _is(value: Numbers, number: float) -> bool:
 
 
 def _ordered(a: Numbers, b: Numbers) -> tuple[Numbers, Numbers]:
-    """Order the terms: a + b is b + a, to the last bit."""
+    """Return the operands in a fixed order, since a + b equals b + a to the last bit."""
     first = a.number if isinstance(a, Symbol) else -1
     second = b.number if isinstance(b, Symbol) else -1
     return (a, b) if first <= second else (b, a)
@@ -153,9 +152,9 @@ def _refuse(*_: Numbers) -> Numbers:
 
 
 class Symbol:
-    """A number not known yet, on a tape: what is done to it is written down there, what is asked of it is asked there.
+    """An unknown number. Its tape records the operations on it, and answers or refuses questions about its value.
 
-    name, arguments : of the operation that gives it; number : on the tape
+    name, arguments : of the operation whose result it is; number : its index on the tape
     """
 
     __slots__ = ("arguments", "name", "number", "tape")
@@ -217,7 +216,7 @@ class Symbol:
         return self // period, self % period
 
     def __getattr__(self, name: str) -> Function:
-        """NumPy's functions ask an object for a method of their name, and complex numbers have parts."""
+        """Return the method that the NumPy function `name` calls on objects, or the real or imaginary part."""
         method = functools.partial(self.tape.method(name), self)
         return method() if name in ("real", "imag") else method
 
@@ -228,7 +227,7 @@ FUNCTIONS = {name: name for name in _NAMES.split()}
 FUNCTIONS |= {"arc" + name[1:]: name for name in FUNCTIONS if name[0] == "a"} | {"absolute": "fabs"}
 NUMPY_NAMES = {plain: name for name, plain in FUNCTIONS.items() if name.startswith("arc")} | {"pow": "power"}
 
-# Of domains: beyond them a function raises, is no number, or jumps.
+# Edges of the domain, beyond which a function raises an error, returns NaN, or jumps.
 EDGES: dict[str, tuple[float, ...]] = dict.fromkeys(("sqrt", "log", "log2", "log10", "pow"), (0.0,))
 EDGES |= dict.fromkeys(("asin", "acos", "atanh", "arcsin", "arccos", "arctanh"), (-1.0, 1.0))
 
@@ -242,21 +241,21 @@ Value = Symbol | float
 
 @functools.cache
 def on_arrays(name: str) -> Function:
-    """Return the operation of a symbol as a function of arrays."""
+    """Return the operation `name` as a function of arrays."""
     function = OPERATORS.get(name) or getattr(np, NUMPY_NAMES.get(name, name), None)
     return np.vectorize(getattr(math, name), otypes=[float]) if function is None else function
 
 
-# What Python, NumPy and a careful function answer to an argument that is not a number.
+# Exceptions that Python, NumPy and careful functions raise for an argument that is not a number.
 ANSWERS = (TypeError, ValueError, AttributeError, ArithmeticError, LookupError, AssertionError, RuntimeError)
 
 
 @dataclass(frozen=True, eq=False)
 class Graph:
-    """What a right-hand side does to time and state: each operation after those whose results it takes.
+    """The operations of a right-hand side on time and state, each after those whose results it uses.
 
-    operations : symbols; the first are "t", "s0", "s1", ..., without arguments; `number` is the index in this list
-    rates      : one a component, a symbol or a number
+    operations : symbols; the first are "t", "s0", "s1", ..., without arguments; `number` is the index in this tuple
+    rates      : a symbol or a number for each component
     """
 
     operations: tuple[Symbol, ...]
@@ -264,9 +263,9 @@ class Graph:
 
 
 def traced(rates: Function, size: int, stand_ins: Parameters | None = None) -> Graph:
-    """Return what rates(t, y) computes. Raises Untraceable, with the reason.
+    """Return the graph of rates(t, y) with `size` components; raise Untraceable, with the reason, if there is none.
 
-    stand_ins : by name, what functions find in the place of built-in ones, such as `float`
+    stand_ins : replacements of built-in functions, such as `float`, by name
     """
     tape = Tape()
     time, state = tape.record("t"), [tape.record(f"s{i}") for i in range(size)]
@@ -279,29 +278,29 @@ def traced(rates: Function, size: int, stand_ins: Parameters | None = None) -> G
 
 
 def _refusal(answer: Exception) -> Exception:
-    """Return why the function does not take symbols; another error than these is its own."""
+    """Return Untraceable with the reason if the function does not accept symbols, else the error of the function."""
     cause: BaseException | None = answer
     while cause is not None:
-        if isinstance(cause, Untraceable):  # the function may have made another error of it
+        if isinstance(cause, Untraceable):  # the function may have raised another error from it
             return Untraceable(str(cause))
         cause = cause.__cause__ or cause.__context__
     return Untraceable(f"{type(answer).__name__}: {answer}") if isinstance(answer, ANSWERS) else answer
 
 
 class Module:
-    """What stands in for a module; substitute : what stands in for a thing in it."""
+    """Stands in for a module; substitute : returns the replacement of an attribute."""
 
     def __init__(self, module: types.ModuleType, substitute: Callable[[Numbers], Numbers]) -> None:
         self.module, self.substitute = module, substitute
 
     def __getattr__(self, name: str) -> Numbers:
         value = self.substitute(getattr(self.module, name))
-        setattr(self, name, value)  # it is asked for once
+        setattr(self, name, value)  # cached
         return value
 
 
 def _checked_isinstance(value: Numbers, kinds: Numbers) -> bool:
-    """Of a number that is not known yet nobody can say whether it is a float."""
+    """Stand in for isinstance; raise Untraceable for a symbol, whose type is unknown."""
     if isinstance(value, Symbol):
         raise Untraceable("depends on the type of the state's components")
     return isinstance(value, kinds)
@@ -311,7 +310,7 @@ STAND_INS = {"isinstance": _checked_isinstance}
 
 
 def _substitute(value: Numbers) -> Numbers:
-    """Return what stands in for math and its functions."""
+    """Return the replacement of math or one of its functions, else the value itself."""
     if value is math:
         return Module(math, _substitute)
     is_of_math = isinstance(value, types.BuiltinFunctionType) and value.__module__ == "math"
@@ -324,11 +323,11 @@ def substituted(
     stand_ins: Parameters,
     twins: dict[int, types.FunctionType] | None = None,
 ) -> Numbers:
-    """Return a function that finds other values in the place of those that it uses, as all functions that it calls do.
+    """Return a copy of a function in which it and the functions that it calls refer to replacements of their values.
 
-    substitute : of a value, what is found in its place; the value itself if nothing is
-    stand_ins  : the same by name, for built-in names
-    twins      : of functions, by their id; one may call itself
+    substitute : returns the replacement of a value, or the value itself
+    stand_ins  : replacements of built-in functions, by name
+    twins      : copies of functions so far, by the id of the original, as a function may call itself
     """
     twins = {} if twins is None else twins
     if (other := substitute(value)) is not value:
@@ -345,10 +344,10 @@ def substituted(
     cells = tuple(types.CellType() for _ in value.__closure__ or ())
     twin = types.FunctionType(value.__code__, names, value.__name__, None, cells)
     sets_items = dis.opmap["STORE_SUBSCR"] in value.__code__.co_code[::2]
-    twins[id(value)] = twin  # before its names are looked at: it may call itself
+    twins[id(value)] = twin  # first, because the function may refer to itself
 
     def stand_in(used: Numbers) -> Numbers:
-        """Copy lists and arrays: what the function puts there stays its own."""
+        """Return the replacement; copy lists and arrays, so that the function does not modify the originals."""
         if type(used) is np.ndarray and used.dtype == float and sets_items:
             return used.astype(object)
         if type(used) in (list, tuple, set):
@@ -360,7 +359,7 @@ def substituted(
     for name in global_names(value.__code__) & value.__globals__.keys():
         names[name] = stand_in(names[name])
     for cell, original in zip(cells, value.__closure__ or (), strict=True):
-        with contextlib.suppress(ValueError):  # it has no value yet
+        with contextlib.suppress(ValueError):  # the cell is still empty
             cell.cell_contents = stand_in(original.cell_contents)
     twin.__defaults__, twin.__kwdefaults__ = stand_in(value.__defaults__), stand_in(value.__kwdefaults__)
     return twin
