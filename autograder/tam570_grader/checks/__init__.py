@@ -1,1 +1,1 @@
-"""What a check is written with."""
+"""Functions and records with which hidden checks are written."""

@@ -1,28 +1,28 @@
-"""The record in which a module of checks ends: what its functions return, what they must not use, what they need."""
+"""The record at the end of a module of checks: return values, names that are off limits, modules to import."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from tam570_grader.checks.returns import ReturnSpec
 
-EVERYWHERE = "*"  # in `forbidden`: not only in one function
+EVERYWHERE = "*"  # key of `forbidden` that applies to all functions
 
 
 @dataclass(frozen=True, kw_only=True)
 class Assignment:
-    """What a module of checks states about its assignment; each field is needed, so that no typo lifts a ban.
+    """Settings of an assignment, stated in its module of checks; required fields, so that a typo cannot lift a ban.
 
     Parameters
     ----------
-    returns : {function: what it returns}, of all functions that students write
-    forbidden : {function, or "*" for all: names of modules and functions that it must not use}
+    returns : {function: its ReturnSpec}, for all functions that students write
+    forbidden : {function, or "*" for all: names of modules and functions that are off limits in it}
     needs : modules that the sandbox imports before it loads a submission
-    states : numbers of components of the states that submissions integrate, for which it compiles a step before
+    states : numbers of components of the states that submissions integrate; the sandbox compiles a step for each first
 
     Raises
     ------
     ValueError
-        If `forbidden` names a function that `returns` does not, or holds a text where a tuple belongs.
+        If `forbidden` has a function that `returns` lacks, or a string in place of a tuple of names.
     """
 
     returns: Mapping[str, ReturnSpec]

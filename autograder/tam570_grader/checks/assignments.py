@@ -1,4 +1,4 @@
-"""Where the course is: the checkout with its assignments, solutions and checks, and what is loaded from it by path."""
+"""Find the checkout of the course, and load its assignments, solutions and checks by path."""
 
 import ast
 import functools
@@ -25,15 +25,15 @@ from tam570_grader.errors import UsageError
 if TYPE_CHECKING:
     from tam570_grader.checks.figures import Figure
 
-INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # where an editable install has the course
-PACKAGES = "_checks_"  # how the names of the packages of checks begin
-sys.meta_path.insert(0, Finder(PACKAGES))  # what they spend is counted
-OVERRIDES, ADDITIONS = "adapted", "own"  # modules beside `checks` in a course of one's own: what it changes, adds
+INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # possible roots of an editable install
+PACKAGES = "_checks_"  # prefix of the names of the packages of checks
+sys.meta_path.insert(0, Finder(PACKAGES))  # their steps are counted
+OVERRIDES, ADDITIONS = "adapted", "own"  # modules beside `checks` in an adapted course
 
 
 @dataclass(frozen=True)
 class LoadedAssignment:
-    """An assignment as the grader needs it."""
+    """An assignment with all that the grader needs."""
 
     slug: str
     checks: tuple[Check, ...]
@@ -41,29 +41,29 @@ class LoadedAssignment:
     needs: Sequence[str]
     states: Sequence[int]
     forbidden: Mapping[str, Sequence[str]]
-    source: bytes  # of the checks
-    rubric: Mapping[str, ManualPart]  # what is graded by hand, by part
+    source: bytes  # of checks.py
+    rubric: Mapping[str, ManualPart]  # parts graded by hand, by letter
     root: Path = Path()
 
     @property
     def solution(self) -> str:
-        """The text of the reference solution."""
+        """The source of the reference solution."""
         return (self.root / "solutions" / f"{self.slug}.py").read_text(encoding="utf-8")
 
     @property
     def solutions(self) -> list[str]:
-        """The texts of the reference solution, and of it with functions in terms of others, beside the checks."""
+        """The source of the reference solution, alone and followed by each of `other_functions`."""
         others = other_functions(checks_folder(self.root, self.slug))
         return [self.solution, *(f"{self.solution}\n\n{other}" for other in others)]
 
     def signature(self, name: str) -> str:
-        """Return what a function of the contract must take: `amplitude, *, length, gravity`."""
+        """Return the parameters of a function of the contract, as text: `amplitude, *, length, gravity`."""
         defined = (node for node in ast.parse(self.solution).body if isinstance(node, ast.FunctionDef))
         return next((ast.unparse(node.args) for node in defined if node.name == name), "...")
 
     @property
     def worth(self) -> dict[str, float]:
-        """The points of each function: those of the checks that are about it."""
+        """The points of each function: the sum over the checks that are about it."""
         checks = self.checks
         return {name: sum(check.points for check in checks if check.function == name) for name in self.results}
 
@@ -73,7 +73,7 @@ class LoadedAssignment:
 
 
 def find() -> Path:
-    """Return the checkout of an editable install."""
+    """Return the checkout of an editable install; raise UsageError if there is none."""
     if checkout := next(filter(is_checkout, INSTALLED), None):
         return checkout
     message = "no course is installed: no autograder/checks and solutions; name a checkout of the course with --root"
@@ -81,27 +81,27 @@ def find() -> Path:
 
 
 def is_checkout(folder: Path) -> bool:
-    """Return whether a folder holds checks and solutions."""
+    """Return whether a folder contains the checks and solutions of a course."""
     return (folder / "autograder" / "checks").is_dir() and (folder / "solutions").is_dir()
 
 
 def slugs(root: Path) -> list[str]:
-    """Return the assignments that have checks, in order."""
+    """Return the slugs of the assignments that have checks, in order."""
     return sorted(path.parent.name for path in (root / "autograder" / "checks").glob("hw*/checks.py"))
 
 
 def other_functions(folder: Path) -> list[str]:
-    """Return the texts with right functions of the assignment in terms of others, or in other words."""
+    """Return the sources of right functions of the assignment that use its other functions, or differ in form."""
     return [path.read_text(encoding="utf-8") for path in sorted(folder.glob("consequences*.py"))]
 
 
 def checks_folder(root: Path, slug: str) -> Path:
-    """Return all that is hidden about one assignment."""
+    """Return the folder with all hidden files of an assignment."""
     return root / "autograder" / "checks" / slug
 
 
 def title(root: Path, slug: str) -> str:
-    """Return what an assignment is called: the heading of its README without the number, else its name."""
+    """Return the title of an assignment: the heading of its README without the number, else its slug."""
     try:
         with open(root / "assignments" / slug / "README.md", encoding="utf-8") as file:
             return file.readline().partition(": ")[2].strip() or slug
@@ -110,7 +110,7 @@ def title(root: Path, slug: str) -> str:
 
 
 def slug_of(name: str, slugs: Sequence[str]) -> str | None:
-    """Return the assignment that a file's or folder's name stands for: hw07, HW7, homework 7, hw07-final, ..."""
+    """Return the slug for the name of a file or folder, such as hw07, HW7, homework 7 or hw07-final; else None."""
     if name in slugs:
         return name
     number = re.match(r"(?:hw|homework)[ _-]*(\d{1,2})(?!\d)", name, re.IGNORECASE)
@@ -118,7 +118,7 @@ def slug_of(name: str, slugs: Sequence[str]) -> str | None:
 
 
 def match_slugs(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
-    """Return the assignments that these names on the command line stand for; without names all."""
+    """Return the slugs for these names on the command line, all slugs if there are none; else raise UsageError."""
     matches = [(name, slug_of(name, slugs)) for name in names]
     if unknown := [name for name, slug in matches if slug is None]:
         raise UsageError(f"there is no assignment {unknown[0]!r}; there are: {', '.join(slugs)}")
@@ -126,13 +126,13 @@ def match_slugs(names: Iterable[str], slugs: Sequence[str]) -> list[str]:
 
 
 def match_slug(name: str | None, slugs: Sequence[str]) -> str | None:
-    """Return the assignment that the option --assignment names; None without it."""
+    """Return the slug for the option --assignment; None without it."""
     return match_slugs([name], slugs)[0] if name else None
 
 
 @functools.cache
 def assignment(root: Path, slug: str) -> LoadedAssignment:
-    """Return the assignment's checks and promises, loaded from its checks file."""
+    """Load an assignment from its checks and rubric, with the overrides of an adapted course."""
     (slug,) = match_slugs([slug], slugs(root))
     folder = checks_folder(root, slug)
     module = _checks(folder)
@@ -150,7 +150,7 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
 
 @functools.cache
 def sandbox_imports(root: Path, slug: str) -> tuple[frozenset[str], frozenset[str]]:
-    """Return what a sandbox imports and what is off limits in it, by the text of the checks, which load meanwhile."""
+    """Parse a sandbox's imports and off-limits names from the checks' source, so that it can start before they load."""
     (slug,) = match_slugs([slug], slugs(root))
     record = ast.parse((checks_folder(root, slug) / "checks.py").read_bytes()).body[-1]
     stated = record.value.keywords if isinstance(record, ast.Assign) and isinstance(record.value, ast.Call) else []
@@ -163,7 +163,7 @@ def sandbox_imports(root: Path, slug: str) -> tuple[frozenset[str], frozenset[st
 
 
 def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
-    """Return an assignment with the points, parts and checks of a course of one's own."""
+    """Return an assignment with the points, parts and checks of an adapted course."""
     change, added = importlib.import_module(f"{PACKAGES}{folder.name}.{OVERRIDES}"), None
     if (folder / f"{ADDITIONS}.py").exists():
         added = importlib.import_module(f"{PACKAGES}{folder.name}.{ADDITIONS}")
@@ -188,13 +188,13 @@ def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
 
 
 def rubric_of(root: Path, slug: str) -> Mapping[str, ManualPart]:
-    """Return the parts graded by hand; no checks are loaded if none change."""
+    """Return the parts graded by hand, by letter; load the checks only if the course is adapted."""
     is_adapted = (checks_folder(root, slug) / f"{OVERRIDES}.py").exists()
     return assignment(root, slug).rubric if is_adapted else load_rubric(root / "assignments" / slug)
 
 
 def solution(slug: str, root: Path | None = None) -> ModuleType:
-    """Return the reference solution as a module of its own."""
+    """Load the reference solution as a new module."""
     path, name = (root or find()) / "solutions" / f"{slug}.py", f"_solution_{slug}"
     module = sys.modules[name] = ModuleType(name)
     exec(compile(path.read_bytes(), path, "exec"), vars(module))
@@ -203,9 +203,9 @@ def solution(slug: str, root: Path | None = None) -> ModuleType:
 
 @functools.cache
 def figure(root: Path, slug: str, **parameters: Numbers) -> "Figure | None":
-    """Draw the figure of an assignment by its reference functions, None where it has none.
+    """Return the figure of an assignment, drawn with its reference functions; None if it has none.
 
-    parameters : other values of what the figure shows
+    parameters : other values of the parameters that the figure shows
     """
     folder = checks_folder(root, slug)
     if not (folder / "figure.py").exists():
@@ -216,20 +216,20 @@ def figure(root: Path, slug: str, **parameters: Numbers) -> "Figure | None":
 
 
 def checks_digest(root: Path, slug: str) -> bytes:
-    """Of all that is hidden about one assignment; nothing of it is loaded."""
+    """Return the digest of an assignment's hidden Python files, without loading them."""
     return _digest(checks_folder(root, slug))
 
 
 @functools.cache
 def engine_digest() -> bytes:
-    """Of the code of the grader and of the utilities that students call: a result may change if it does."""
+    """Return the digest of the code of the grader and of `tam570`: results may change if it does."""
     return _digest(Path(__file__).parents[1], Path(tam570.__file__).parent)
 
 
 def _digest(*folders: Path) -> bytes:
-    """Of the names and contents of all Python files below these folders, stubs in an installed course aside."""
+    """Return the digest of paths and contents of all Python files in folders, except stubs in an installed course."""
     digest = hashlib.sha256()
-    for folder in map(str, folders):  # a Path takes a third of the time
+    for folder in map(str, folders):  # strings: Path objects would take a third of the time
         paths = (f"{parent}/{name}" for parent, _, names in os.walk(folder) for name in names if name.endswith(".py"))
         for path in sorted(path.removeprefix(f"{folder}/") for path in paths):
             if not path.startswith("assignments/"):
@@ -239,7 +239,7 @@ def _digest(*folders: Path) -> bytes:
 
 
 def _checks(folder: Path) -> ModuleType:
-    """Return the module `checks` of a folder, loaded in a package of a private name: it may import its neighbours."""
+    """Load the module `checks` of a folder in a package with a private name, so that it can import its neighbours."""
     name = f"{PACKAGES}{folder.name}"
     package = ModuleType(name)
     package.__path__ = [str(folder)]
@@ -252,7 +252,7 @@ def _checks(folder: Path) -> ModuleType:
 
 
 def _stated(module: ModuleType) -> Assignment:
-    """Return the record in which a module of checks ends."""
+    """Return the ASSIGNMENT of a module of checks; raise UsageError if it has none."""
     stated = getattr(module, "ASSIGNMENT", None)
     if not isinstance(stated, Assignment):
         raise UsageError(f"{module.__file__} does not end in ASSIGNMENT = Assignment(...)")

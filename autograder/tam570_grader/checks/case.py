@@ -1,4 +1,4 @@
-"""A case: the arguments of one call, and what the student is told of them."""
+"""A case: the arguments of one call, and what the student is told about them."""
 
 import functools
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ class Case:
 
         Case(0.3, mass=2.0).labelled("a small angle", hint="For small angles sin th is th.")
 
-    Equal if arguments, label and hint are. Not changed once it is made.
+    Cases are equal if their arguments, labels and hints are. They are not changed after construction.
     """
 
     def __init__(self, /, *args: Numbers, **kwargs: Numbers) -> None:
@@ -32,42 +32,42 @@ class Case:
 
     @functools.cached_property
     def packed(self) -> bytes:
-        """The arguments as they are sent: packed once for a class that shares them."""
+        """The packed arguments, as they are sent; cached, because students share cases."""
         return packed([[*map(_sent, self.args)], {key: _sent(value) for key, value in self.kwargs.items()}])
 
     @property
     def points(self) -> list[dict[str, float]]:
-        """The numbers for its symbols at which a formula is evaluated; none of another call."""
+        """The points {symbol: number} at which the call evaluates a formula; empty for any other call."""
         (first, *_) = self.args or [None]
         return first if isinstance(first, list) and first and isinstance(first[0], dict) else []
 
     def labelled(self, label: str, hint: str = "") -> "Case":
-        """Return the same arguments with a label, and with a hint that `compare` prefers to that of the check."""
+        """Return a copy with a label, and with a hint that `compare` prefers to that of the check."""
         case = Case(*self.args, **self.kwargs)
         case.label, case.hint = label, hint
         return case
 
     def replace(self, *args: Numbers, **kwargs: Numbers) -> "Case":
-        """Return the same call with other leading arguments, or other parameters."""
+        """Return a copy with other leading arguments, or other parameters."""
         changed = Case(*args, *self.args[len(args) :], **{**self.kwargs, **kwargs})
         return changed.labelled(self.label, self.hint)
 
     def with_leading(self, *args: Numbers) -> "Case":
-        """Return the same call with more arguments before its own."""
+        """Return a copy with additional leading arguments."""
         return Case(*args, *self.args, **self.kwargs).labelled(self.label, self.hint)
 
 
 @dataclass(frozen=True)
 class Call:
-    """A call that a check made, and the result that came back."""
+    """A call that a check made, and its result."""
 
     name: str
     case: Case
-    result: Numbers  # None where the call raised, or returned what was not promised
+    result: Numbers  # None if the call raised, or the result does not have the promised form
 
 
 def _sent(value: Numbers) -> Numbers:
-    """Return an argument as it is sent: any sequence of numbers is a float64 array, as the contract promises."""
+    """Return an argument as it is sent: any sequence of numbers as a float64 array, as the contract promises."""
     if isinstance(value, np.generic):
         return value.item()
     if isinstance(value, np.ndarray):

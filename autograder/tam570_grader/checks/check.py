@@ -8,7 +8,7 @@
 
 `student.f(...)` calls the student's function in the sandbox and returns what `Assignment.returns` states, as float64
 arrays, or ends the check with a message; `student.f.each([Case(...), ...])` makes many calls in one round trip. `rng`
-is a random generator that belongs to the check and is the same for every student of a run.
+is the check's random generator, which starts in the same state for every student of a run.
 """
 
 import copy
@@ -25,13 +25,13 @@ import numpy as np
 from tam570.values import Function, Numbers
 
 T = TypeVar("T")
-MOST_KNOWN = 64  # values that `once` keeps; with inputs of its own for each student a run makes thousands
+MOST_KNOWN = 64  # cached values for each function of `once`; if inputs differ by student, a run makes thousands
 
 
 class LruCache(Generic[T]):
-    """The last values computed, by their keys: each is computed for whoever asks first.
+    """Thread-safe cache of the most recently used values.
 
-    most : how many are kept; or how many bytes, if `size` tells those of a value
+    most : largest number of values; or of bytes, if `size` returns the bytes of a value
     """
 
     def __init__(self, most: int, size: Callable[[T], int] = lambda value: 1) -> None:
@@ -39,10 +39,10 @@ class LruCache(Generic[T]):
         self._known, self._lock = dict[object, T](), threading.RLock()
 
     def value(self, key: object, compute: Callable[[], T]) -> T:
-        """Return the value of this key; what is returned is shared, and not to be changed."""
+        """Return the value of a key, computed if it is not cached; callers share it and must not change it."""
         with self._lock:
             if key in self._known:
-                self._known[key] = self._known.pop(key)  # behind those that nobody has asked for since
+                self._known[key] = self._known.pop(key)  # to the end: the first is removed first
             else:
                 value = self._known[key] = compute()
                 self._held += self._size(value)
@@ -56,13 +56,13 @@ Run = Callable[[Any, np.random.Generator], None]  # run(student, rng)
 
 @dataclass(frozen=True)
 class Check:
-    """One hidden check, as `@check` makes it; `some_check.run(student, rng)` runs it by hand."""
+    """A hidden check, made by `@check`; `some_check.run(student, rng)` runs it by hand."""
 
     run: Run
-    function: str  # that it is about
+    function: str  # the student's function that it is about
     points: float
     part: str
-    line: str  # what it tests, for the student
+    line: str  # what it tests, as the student reads it
     after: tuple["Check", ...]
     refusals: bool = False
 
@@ -72,7 +72,7 @@ class Check:
 
     @property
     def title(self) -> str:
-        """The line, with the function that it is about in front."""
+        """The line, with the function's name in front unless it begins with it."""
         return self.line if self.line.startswith(self.function) else f"{self.function}: {self.line}"
 
 
@@ -85,15 +85,15 @@ def check(
     after: Check | Sequence[Check] = (),
     refusals: bool = False,
 ) -> Callable[[Run], Check]:
-    """Make a function of a student and a generator a check.
+    """Return a decorator that makes a Check of a function `run(student, rng)`.
 
     Parameters
     ----------
     function : the student's function that the check is about
-    points, part : what it is worth, and in which lettered part
-    line : what it tests, for the student; left out, it is the docstring of the function
+    points, part : its points, and the letter of its part
+    line : what it tests, as the student reads it; default: the docstring of the function
     after : the check, or the checks, that must (nearly) pass before this one runs
-    refusals : it asks what is refused; that it runs, the checks before it may find wrong numbers
+    refusals : whether it tests what is refused; then it also runs if the checks before it found wrong numbers
 
     Raises
     ------
@@ -110,15 +110,15 @@ def check(
 
 
 def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
-    """Return the checks that another builds on: one or several."""
+    """Return the checks of `after` as a tuple."""
     return (after,) if isinstance(after, Check) else tuple(after)
 
 
 def once(compute: Callable[..., T]) -> Callable[..., T]:
-    """Compute `compute(rng, ...)` a single time a run, however many students are graded; a list of what it yields.
+    """Return `compute(rng, ...)` with a cache, so that it runs once for all students; a list if it yields values.
 
-    The generator is left as the computation left it, so a check draws the same numbers with and without it.
-    Cases are shared between students; of arrays, which a function of cases may go on to change, each call has its own.
+    A cached call leaves the generator in the state after the computation, so that a check draws the same numbers.
+    Students share cases; arrays, which a function of cases may go on to change, are copied for each call.
     """
     memory = LruCache[tuple[T, bool, Mapping[str, object]]](MOST_KNOWN)
 
@@ -137,7 +137,7 @@ def once(compute: Callable[..., T]) -> Callable[..., T]:
 
 
 def _can_be_altered(value: object) -> bool:
-    """Return whether a value is, or holds, what can be changed in place; a case cannot."""
+    """Return whether a value is or contains an array or dict, which can be changed in place; a Case cannot."""
     if isinstance(value, list | tuple):
         return any(map(_can_be_altered, value))
     return isinstance(value, np.ndarray | dict)
@@ -152,7 +152,7 @@ def _is_hashable(key: object) -> bool:
 
 
 def draw_once(module: ModuleType) -> None:
-    """Make a module's functions of `rng`, and those that its other functions return, draw a single time a run."""
+    """Wrap a module's functions of `rng`, and the functions of `rng` that its other functions return, in `once`."""
     for name, value in list(vars(module).items()):
         is_its_own = inspect.isfunction(value) and value.__module__ == module.__name__
         if is_its_own or isinstance(value, functools.partial):
@@ -164,7 +164,7 @@ def _takes_rng(value: object) -> bool:
 
 
 def _drawing_once(make: Function) -> Function:
-    """Return a function whose results, where they are functions of `rng`, draw a single time a run."""
+    """Return `make` with its results wrapped in `once` if they are functions of `rng`."""
     drawing = LruCache[Function](MOST_KNOWN)
 
     @functools.wraps(make)

@@ -1,4 +1,4 @@
-"""A student's function against the right one, over cases."""
+"""Compare a student's function with the reference function, over cases."""
 
 import functools
 import inspect
@@ -21,7 +21,7 @@ from tam570_grader.checks.student import StudentFunction
 
 @dataclass(frozen=True)
 class Column:
-    """Numbers of a result, or columns of a motion, that share a unit and a scale."""
+    """Components of a result, or columns of a motion, that share a unit and a scale."""
 
     quantity: str  # "the angles"
     unit: str
@@ -30,52 +30,52 @@ class Column:
     scale: Callable[[Case, Numbers], float] | None = None  # scale(case, right result); default: the largest number
 
     def size(self, case: Case, expected: NDArray[np.float64]) -> Numbers:
-        """Return what an error is relative to; 1 where that is zero."""
+        """Return the scale of an error; 1 if that is zero."""
         return (self.scale(case, expected) if self.scale else np.max(np.abs(expected[..., self.where]))) or 1.0
 
 
-PLACES = range(2, 13)  # after the point, to which people round; what has two or fewer may be exact
+PLACES = range(2, 13)  # decimals to which students may round; a number with two or fewer may be exact
 PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
     inspect.Parameter.POSITIONAL_OR_KEYWORD,
     inspect.Parameter.VAR_POSITIONAL,
     inspect.Parameter.VAR_KEYWORD,
 )
-NEARLY = 1e-4  # of the largest number: a wrong term is off by more, a simulation at a loose tolerance by less
-SINGLE = 1e-6  # of the largest number; single precision loses 6e-8
+NEARLY = 1e-4  # of the largest number: the error of a wrong term is larger, that of a loose tolerance smaller
+SINGLE = 1e-6  # of the largest number; the rounding error of single precision is 6e-8
 
-MOST_BATCHES = 1000  # that are remembered; the fourteen assignments have some 600
+MOST_BATCHES = 1000  # in the cache; the fourteen assignments have some 600
 
 Array = NDArray[np.float64]
 Only = int | Sequence[int] | None
 Shapes = Sequence[tuple[int, ...]]
-Where = int | tuple[Any, ...] | None  # a member of a tuple, columns, or all
+Where = int | tuple[Any, ...] | None  # a member of a tuple, columns, or None for all
 Reference = Function | ModuleType
-HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # of a case, the result and the right one
+HintOfCase = str | Callable[[Case, Numbers, Numbers], str]  # or hint(case, result, expected result)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Numbers of a result that are compared at once, beside the right ones."""
+    """Numbers of a result that are compared together, with the expected ones."""
 
     actual: Numbers
     expected: Numbers
     quantity: str
     unit: str
-    size: Numbers  # what an error is relative to
-    member: int | None = None  # of a tuple
+    size: Numbers  # scale of an error
+    member: int | None = None  # index in a tuple
     columns: Sequence[int] | None = None
-    t: Numbers = None  # times of its rows
+    t: Numbers = None  # times of the rows
 
     @property
     def where(self) -> Where:
-        """Where the result has these numbers."""
+        """The index of these numbers in the result."""
         return self.member if self.columns is None else (..., self.columns)
 
 
-Comparisons = Callable[[Case, Numbers, Numbers], Iterable[Comparison]]  # of a case, the result and the right one
+Comparisons = Callable[[Case, Numbers, Numbers], Iterable[Comparison]]  # (case, result, expected result)
 
 
-def compare(  # noqa: PLR0913  what a check says of a comparison, each by its name
+def compare(  # noqa: PLR0913  options of a comparison, passed by name
     function: StudentFunction,
     reference: Reference,
     cases: Iterable[Case],
@@ -88,15 +88,15 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
     only: Only = None,
     near_miss_credit: bool = True,
 ) -> list[Numbers]:
-    """Fail unless the student's `function` gives what `reference` gives, in every case; return its results.
+    """Fail unless the student's `function` returns what `reference` returns, in every case; return its results.
 
-    reference : the right function, or the module in which it has the name of the student's
-    tolerance : of the scale, by default the largest number of the right result
-    scale  : left out, as `Assignment.returns` has it
-    columns : of a state or rows of them, each judged in its own unit; left out, as `Assignment.returns` has them
-    hint   : where to look; a function of the case, the result and the right one is asked on failure alone
-    only   : the member of a tuple that is judged, or several
-    near_miss_credit : False where an error of a few limits is no sign that the physics is right
+    reference : the reference function, or a module that has it under the name of the student's
+    tolerance : largest error relative to the scale, which by default is the largest number of the expected result
+    scale  : default: that in `Assignment.returns`
+    columns : of a state or rows of states, each compared in its own unit; default: those in `Assignment.returns`
+    hint   : where to look; a function of the case, the result and the expected one is called only on failure
+    only   : the index of the member of a tuple that is compared, or several
+    near_miss_credit : False if an error of a few tolerances is no sign that the physics is right
     """
     batch = Batch.of(find_reference(reference, function), cases).distinct
     if columns := columns or getattr(function.returns, "columns", ()):
@@ -117,7 +117,7 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
             few_or_many = "many" if np.size(part.actual) > np.size(part.expected) else "few"
             has_shape = np.shape(part.actual) == np.shape(part.expected)
             expect_that(has_shape, f"{part.quantity}: you return too {few_or_many} numbers")
-            infinite, must_be = np.isinf(part.actual), np.isinf(part.expected)  # nothing is wrong by some limit
+            infinite, must_be = np.isinf(part.actual), np.isinf(part.expected)  # no tolerance applies to infinity
             message = f"{part.quantity} is {'not ' if must_be.any() else ''}infinite"
             expect_that(np.array_equal(infinite, must_be), message, hint=ask)
             limits = _limits(part.size, tolerance, partial or {}) | {"near_miss_credit": near_miss_credit}
@@ -128,7 +128,7 @@ def compare(  # noqa: PLR0913  what a check says of a comparison, each by its na
 def _by_members(
     descriptions: Any, scales: Sequence[Scale], only: Only, case: Case, actual: Numbers, expected: Numbers
 ) -> Iterator[Comparison]:
-    """Yield the result, or the members of a tuple that are judged."""
+    """Yield the comparison of the result, or of each member of a tuple that is compared."""
     several = isinstance(descriptions, list)
     members = zip(descriptions, actual, expected, strict=True) if several else [(descriptions, actual, expected)]
     for index, (description, numbers, right_numbers) in enumerate(members):
@@ -151,7 +151,7 @@ def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected
 def compare_with(
     reference: Reference, *, by: Callable[..., Any] = compare, **defaults: Any
 ) -> Callable[..., list[Numbers]]:
-    """Return a comparison with its reference, and with words that hold where a check has no others.
+    """Return a comparison with its reference, and with defaults for options that a check does not state.
 
     compare = compare_with(reference, tolerance=FORMULA)
     compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
@@ -166,7 +166,7 @@ def compare_with(
 
 
 def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> dict[str, Numbers]:
-    """In the unit of the result; where its numbers have scales of their own, relative to these."""
+    """Return the limits in the unit of the result; if its numbers have several scales, relative to these."""
     if np.ndim(size):
         return {"tolerance": tolerance, "scale": size, "partial": partial}
     size = float(size)
@@ -174,26 +174,26 @@ def _limits(size: Numbers, tolerance: float, partial: Mapping[float, float]) -> 
 
 
 def absolute(*_: Numbers) -> float:
-    """Return the scale of what is judged in its own unit."""
+    """Return 1, the scale of errors in the unit of the result."""
     return 1.0
 
 
 def largest(_: Numbers, expected: Numbers) -> float:
-    """Return the scale of what is judged by its largest number, as all is that has no other scale."""
+    """Return the largest number of the expected result: the default scale."""
     return float(np.max(np.abs(np.asarray(expected, float)), initial=0.0))
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Cases, cut to what the right function takes, with the right results: the same for a class."""
+    """Cases, trimmed to the parameters of the reference function, with their expected results; shared by students."""
 
     reference: Function
-    uncut: Sequence[Case]  # while they are held, no other case has their identity
+    uncut: Sequence[Case]  # kept, so that no other case gets an id that is a key of `_batches`
     _known: dict[object, Numbers] = field(default_factory=dict)
 
     @staticmethod
     def of(reference: Function, cases: Iterable[Case]) -> "Batch":
-        """Return the batch of these very cases."""
+        """Return the batch of these Case objects, which are identified by id."""
         uncut = tuple(cases)
         return _batches.value((reference, *map(id, uncut)), lambda: Batch(reference, uncut))
 
@@ -203,7 +203,7 @@ class Batch:
 
     @functools.cached_property
     def distinct(self) -> "Batch":
-        """Of cases that the cut makes equal, the first alone."""
+        """The batch without cases that trimming makes equal to an earlier one."""
         first: dict[bytes, Case] = {}
         for cut, case in zip(self.cases, self.uncut, strict=True):
             first.setdefault(cut.packed, case)
@@ -216,11 +216,11 @@ class Batch:
         return [expected_result(self.reference, case) for case in self.cases]
 
     def results(self, function: StudentFunction) -> list[Numbers]:
-        """Return what the student's function gives in all cases; in a rehearsal what is right."""
+        """Return the results of the student's function in all cases; the expected ones in a rehearsal."""
         return self.expected if get_context().is_rehearsal else function.many(self.cases)
 
     def remembered(self, key: object, compute: Callable[[], Numbers]) -> Numbers:
-        """Return what follows from the cases and the right results alone, computed a single time."""
+        """Return a value that depends only on the cases and the expected results; cached by key."""
         if key not in self._known:
             self._known[key] = compute()
         return self._known[key]
@@ -228,18 +228,18 @@ class Batch:
     def compared(
         self, function: StudentFunction, results: Iterable[Numbers]
     ) -> Iterator[tuple[Case, Numbers, Numbers]]:
-        """Yield each case with the student's result and the right one, while the two are compared."""
+        """Yield each case with the student's result and the expected one, and make it the call of the context."""
         for case, result, expected in zip(self.cases, results, self.expected, strict=True):
             get_context().set_call(function.name, case)
             yield case, result, expected
 
     def includes(self, results: list[Numbers], tolerance: float, key: object, parts: Comparisons) -> bool:
-        """Return whether all results are within the tolerance; False where that takes a look at each.
+        """Return whether all results are within the tolerance; False if this needs a comparison of each result.
 
-        parts : of a case, a result and the right one, all that is judged
-        key   : tells it from other such functions
+        parts : (case, result, expected result) -> the comparisons
+        key   : identifies `parts`
         """
-        # with the function, which holds what the key identifies
+        # `parts` is cached, too, so that the ids in the key stay in use
         _, scaled = self.remembered(key, lambda: (parts, self._scales(parts)))
         for where, shapes, numbers, sizes in scaled or ():
             compared = [_part(result, where) for result in results]
@@ -250,7 +250,7 @@ class Batch:
         return scaled is not None
 
     def _scales(self, parts: Comparisons) -> list[tuple[Numbers, ...]] | None:
-        """(where, shapes of the right results, their numbers, the scale of each); None where one is infinite."""
+        """Return (where, shapes, expected numbers, their scales) for each part; None if a number is not finite."""
         per_case = [[*parts(case, answer, answer)] for case, answer in zip(self.cases, self.expected, strict=True)]
         scaled = []
         for column in zip(*per_case, strict=True):
@@ -280,13 +280,13 @@ _batches = LruCache[Batch](MOST_BATCHES)
 def call_cases(
     function: StudentFunction, reference: Reference, cases: Iterable[Case]
 ) -> Iterator[tuple[Case, Numbers, Numbers]]:
-    """Yield each case, cut to what the right function takes, with the student's result and the right one."""
+    """Yield each case, trimmed to the reference's parameters, with the student's result and the expected one."""
     batch = Batch.of(find_reference(reference, function), cases).distinct
     yield from batch.compared(function, batch.results(function))
 
 
 def is_right(function: StudentFunction, reference: Reference, cases: Iterable[Case]) -> bool:
-    """Whether a student's function gives the right results in calls that no check judges, to choose a hint by."""
+    """Return whether a student's function is right in calls that no check grades, to choose a hint."""
     true = find_reference(reference, function)
     try:
         for case in trim_to_signature(true, cases):
@@ -300,28 +300,28 @@ def is_right(function: StudentFunction, reference: Reference, cases: Iterable[Ca
 
 
 def own_result(function: StudentFunction, reference: Reference, case: Case) -> Numbers:
-    """Return what a student's function gives for as much of a case as it takes, in a call that no check judges."""
+    """Return a student's result for a case, trimmed to the reference's parameters, in a call that no check grades."""
     return function.aside(trim_to_signature(find_reference(reference, function), [case])[0])
 
 
 def first_wrong(reference: Reference, case: Case, *functions: StudentFunction) -> Callable[[], str]:
-    """Make a question for the first of a student's functions that is wrong for a case: its name, or ""."""
+    """Return a callback that names the first of a student's functions that is wrong for a case; "" if none is."""
     return lambda: next((function.name for function in functions if not is_right(function, reference, [case])), "")
 
 
 def _numbers(result: Numbers) -> Numbers:
-    """Return all numbers of a result, or of the members of a tuple, one after another."""
+    """Return all numbers of a result, or of the members of a tuple, in one array."""
     return np.hstack([np.ravel(part) for part in (result if isinstance(result, tuple) else [result])])
 
 
 def find_reference(reference: Reference, function: StudentFunction) -> Function:
-    """Return the right function; of a module, the one that has the name of the student's."""
+    """Return the reference function; from a module, the one with the name of the student's function."""
     true: Function = reference if callable(reference) else getattr(reference, function.name)
     return true
 
 
 def trim_to_signature(reference: Function, cases: Iterable[Case]) -> list[Case]:
-    """Trim cases to what the right function takes: so the same ones serve functions that are given more or less."""
+    """Return cases trimmed to the reference's parameters, so that functions with fewer parameters can use them."""
     return Batch.of(reference, cases).cases
 
 
@@ -339,13 +339,13 @@ _signature = functools.lru_cache(maxsize=256)(inspect.signature)
 
 
 def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part: Comparison) -> str:
-    """Return what right numbers have lost, else the hint of the case, else that of the check."""
+    """Return a sentence on lost digits, if right numbers lack some; else the hint of the case, or of the check."""
     lost = digits_lost(part.actual, part.expected)
     return lost or case.hint or (hint(case, actual, expected) if callable(hint) else hint)
 
 
 def digits_lost(actual: Numbers, expected: Numbers) -> str:
-    """Return a sentence for the right numbers in single precision, or rounded, where their digits tell."""
+    """Return a sentence if right numbers are rounded or in single precision; else an empty text."""
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     off = float(np.max(np.abs(actual - expected), initial=0.0))
     exact = [places for places in PLACES if np.array_equal(actual, np.round(actual, places))]
@@ -375,7 +375,7 @@ def check_domain(
 ) -> None:
     """Fail unless the function is right in the first `allowed` cases, and raises ValueError in all others.
 
-    Where a check before this one has found its numbers wrong, it is enough that it gives some for what is allowed.
+    If a check before this one found wrong numbers, require only that the function does not raise in allowed cases.
     """
     trimmed = trim_to_signature(find_reference(reference, function), cases)
     function = function.ahead(trimmed)

@@ -1,7 +1,7 @@
-"""How an error or an invariant goes along a motion: what a page's picture is drawn from, kept with the result.
+"""The error, or an invariant, along a motion, from which a page draws a picture; stored with the result.
 
-It is coarse, so that code which knows the hidden inputs can write little of them into the shape of its own errors:
-at most BITS of them into one picture, and nothing about the times.
+The curve is coarse, so that code that knows the hidden inputs can encode little of them in the shape of its errors:
+at most BITS in a picture, and nothing about the times.
 """
 
 import math
@@ -11,26 +11,26 @@ from numpy.typing import NDArray
 
 from tam570.values import Json, Numbers
 
-# plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another
+# plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another curve
 Curve = Json
 Array = NDArray[np.float64]
 
-SLOTS = 16  # of the duration, the largest error in each
-LEVELS = 2  # to a decade of an error
-STEPS = 7  # to the largest drift of an invariant, to either side
-FLOOR, CEILING = -1, 6  # decades below and above the limit that are told apart
-LARGEST = 1e100  # of a drift, which is cut to this
-# what a picture can tell: a level, or that it is empty, in each slot; and two digits and an exponent of the largest
+SLOTS = 16  # equal parts of the duration; the curve has the largest error in each
+LEVELS = 2  # levels per decade of an error
+STEPS = 7  # levels from zero to the largest drift of an invariant, on either side
+FLOOR, CEILING = -1, 6  # decades relative to the tolerance; errors beyond are cut to these
+LARGEST = 1e100  # drifts are cut to this size
+# information in a curve: a level, or none, in each slot; two digits and the exponent of the largest drift
 BITS = math.ceil(SLOTS * math.log2(max(LEVELS * (CEILING - FLOOR), 2 * STEPS) + 2) + math.log2(90 * 640))
 
 
-def curve(  # noqa: PLR0913  what is compared, and the words for it
+def curve(  # noqa: PLR0913  the compared numbers, and their description
     t: Numbers, actual: Numbers, expected: Numbers, scale: Numbers, *, tolerance: float, quantity: str, unit: str
 ) -> Curve | None:
-    """Return the error along the times t, None if there is no course of it to draw.
+    """Return the error along the times t, None if there is too little to draw.
 
-    An invariant (one number at each time, expected to stay) keeps its sign: whether energy is lost or gained tells.
-    Of several motions in a row, that with the largest error is taken.
+    The drift of an invariant (one number per time, expected to be constant) keeps its sign, which shows whether energy
+    is lost or gained. If `t` has several motions, use the one with the largest error.
     """
     t, signed = np.asarray(t, float), np.asarray((actual - expected) / scale)
     if t.ndim != 1 or len(t) < 3 or signed.shape[:1] != t.shape or not np.isfinite(signed).all():
@@ -49,7 +49,7 @@ def curve(  # noqa: PLR0913  what is compared, and the words for it
 
 
 def _one_motion(t: Array, row: int) -> slice:
-    """Return the rows around this one along which time goes on."""
+    """Return the slice of rows around this one in which time increases."""
     breaks = np.flatnonzero(np.diff(t) <= 0) + 1
     ends = np.concatenate([[0], breaks, [len(t)]])
     index = int(np.searchsorted(ends, row, side="right"))
@@ -57,13 +57,13 @@ def _one_motion(t: Array, row: int) -> slice:
 
 
 def _slots(t: Array, sizes: Array) -> list[int | None]:
-    """In equal slots of the duration, the row with the largest error."""
+    """Return the row with the largest error in each of SLOTS equal parts of the duration; None for an empty part."""
     slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
     return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None for k in range(SLOTS)]
 
 
 def _levels(sizes: Array, slots: list[int | None], tolerance: float) -> list[float | None]:
-    """Decades above the limit, below it where negative."""
+    """Return the errors of these rows in decades above the tolerance; negative if they are below it."""
     decades = np.log10(np.maximum(sizes, 1e-300) / tolerance).clip(FLOOR, CEILING)
     return [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in slots]
 

@@ -5,8 +5,8 @@
         rod = Force("the force of the rod", r, "the mass", along=r)
         return FreeBody("the mass", (weight(r, "the mass", gravity), rod))
 
-A diagram is right if each force is drawn once, at its point, along its line, in its sense where that is known, and
-nothing else is. The order and the lengths of the arrows are free.
+A diagram is right if each force is drawn once, at its point, along its line, in its sense if that is known, and
+nothing else is drawn. The order and the lengths of the arrows are free.
 """
 
 import itertools
@@ -28,12 +28,12 @@ from tam570_grader.checks.student import StudentFunction
 
 Vector = NDArray[np.float64]
 
-# Directions, in rad, and points, of the largest distance from the origin. Single precision is off by 6e-8.
+# Tolerance of directions, in rad, and of points, relative to the farthest one. Single precision errs by 6e-8.
 SAME = 1e-6
-SHEET, GRID, COARSE = 200, 10, 10  # px, px, degrees, of the picture of what a student drew
-SHOWN = 5  # arrows; no right diagram has more
-SEEN_FROM = -1.1, 0.35  # rad, what has three dimensions
-NEGLIGIBLE = 1e-9  # of the forces on the body: a force that cancels to rounding may be left out
+SHEET, GRID, COARSE = 200, 10, 10  # px, px, degrees: size and resolution of the picture of a student's arrows
+SHOWN = 5  # arrows in it; no right diagram has more
+SEEN_FROM = -1.1, 0.35  # rad, azimuth and elevation of the eye, if the body has three dimensions
+NEGLIGIBLE = 1e-9  # of the forces on the body; a smaller force is zero up to rounding, and may be left out
 
 INERTIAL = "You drew m a as a force; no other body exerts it. Write it on the other side of F = m a."
 CENTRIFUGAL = (
@@ -44,16 +44,16 @@ CENTRIFUGAL = (
 
 @dataclass(frozen=True)
 class Force:
-    """A force of another body on this one.
+    """A force that another body exerts on this one.
 
     name  : "the weight"
     point : (d,) where it acts
     where : the point in words, "G"
-    along : (d,) its line of action; None where no component is known
-    sense : whether the force points along `along`, and not against it, by what is known beforehand
-    acts  : whether its size can be other than zero in this state; it may be left out else, or drawn anyhow
-    push  : of an unknown force of a surface: the direction in which it can push; no arrow is drawn straight against it
-    reversed : what a student reads who draws it in the other sense
+    along : (d,) its line of action; None if no component is known
+    sense : whether it is known beforehand that the force points along `along`, and not against it
+    acts  : whether it can be other than zero in this state; else it may be left out, or drawn in any direction
+    push  : direction in which an unknown force of a surface can push; no arrow may point straight against it
+    reversed : message for a student who draws it in the other sense
     """
 
     name: str
@@ -66,7 +66,7 @@ class Force:
     reversed: str = ""
 
     def drawn_by(self, arrows: Sequence[Arrow], near: float) -> bool:
-        """Return whether these arrows, and they alone, draw this force."""
+        """Return whether these arrows together draw exactly this force."""
         if not self.acts and not arrows:
             return True
         if not arrows or any(math.dist(arrow.point, np.asarray(self.point, float)) > near for arrow in arrows):
@@ -83,7 +83,7 @@ class Force:
 
 @dataclass(frozen=True)
 class NotAForce:
-    """An arrow that students draw and no other body exerts on this one.
+    """An arrow that students draw although no other body exerts this force.
 
     along : its line, or with `sense` its direction; None for any arrow at this point
     """
@@ -103,10 +103,10 @@ class NotAForce:
 
 @dataclass(frozen=True)
 class FreeBody:
-    """A body, and all forces of other bodies on it.
+    """A body, and all forces that other bodies exert on it.
 
-    others  : the same forces, otherwise divided: a contact as one unknown force, not as normal and friction
-    wrong   : arrows that students draw, the more special first
+    others  : the same forces, divided differently: a contact as one unknown force, not as normal and friction
+    wrong   : wrong arrows that students draw, the more special first
     outline : (k, 2, d) lines of the body, for the picture of what a student drew
     """
 
@@ -118,7 +118,7 @@ class FreeBody:
 
 
 def weight(point: ArrayLike, where: str, gravity: float, down: ArrayLike = (0.0, -1.0)) -> Force:
-    """Return the weight, straight down; without gravity it may be left out."""
+    """Return the weight, along `down`; it may be left out if gravity is zero."""
     reversed = "You drew the weight upwards: this is the force that the body exerts on the earth."
     return Force("the weight", point, where, down, sense=True, acts=gravity != 0, reversed=reversed)
 
@@ -131,7 +131,7 @@ def compare_diagrams(
 ) -> None:
     """Fail unless the student draws, in every case, the forces of the `FreeBody` that `reference` returns.
 
-    source : the student's function of a force, and the same body with the results of it
+    source : the student's function that computes a force, and a function that returns the body with its results
     """
     for case, arrows, body in call_cases(function, reference, cases):
         if message := complaint(body, arrows):
@@ -146,7 +146,7 @@ def compare_diagrams(
 def _hint(
     message: str, arrows: Sequence[Arrow], case: Case, source: tuple[StudentFunction, Callable[[Case], FreeBody]] | None
 ) -> str:
-    """Return what is wrong, or the student's own function of a force whose results are rightly drawn."""
+    """Return what is wrong, or FollowsFrom if the diagram is right for the results of the student's own function."""
     try:
         return FollowsFrom(source[0].name) if source and not complaint(source[1](case), arrows) else message
     except (Failed, NotWritten):
@@ -163,10 +163,10 @@ def complaint(body: FreeBody, arrows: Sequence[Arrow]) -> str:
 
 
 def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> Json:
-    """Return what the student drew beside the body, so coarse that it can carry no hidden input: 14 bits an arrow.
+    """Return the student's arrows and the body, so coarse that they can carry no hidden input: 14 bits an arrow.
 
     outline : lines [x1, y1, x2, y2], 0 to SHEET, y up
-    arrows  : [x, y, angle in degrees], None for an unknown direction; SHOWN at most
+    arrows  : [x, y, angle in degrees], None for an unknown direction; at most SHOWN
     """
     flat = seen_from(*SEEN_FROM) if np.size(body.forces[0].point) == 3 else np.asarray
     outline = np.reshape(flat(body.outline), (-1, 2, 2)) if np.size(body.outline) else np.empty((0, 2, 2))
@@ -176,7 +176,7 @@ def _sketch(body: FreeBody, arrows: Sequence[Arrow]) -> Json:
     size = max(float(np.ptp(seen, axis=0).max()) if len(seen) else 0.0, 1e-300)
 
     def placed(at: ArrayLike, grid: int) -> Numbers:
-        with np.errstate(all="ignore"):  # a student's point may be anywhere
+        with np.errstate(all="ignore"):  # a student's point may be very large, or NaN
             share = np.nan_to_num((np.asarray(at) - middle) / size)
         return (grid * np.rint(np.clip(share / 2 + 0.5, 0, 1) * SHEET / grid)).astype(int).tolist()
 
@@ -194,7 +194,7 @@ def _angle(direction: Vector) -> int:
 
 
 def _is_drawn(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> bool:
-    """Return whether each force has an arrow of its own, the first that draws it, and no arrow is left."""
+    """Return whether each force has its own arrow, the first that draws it, and no arrow is left."""
     unmatched = list(arrows)
     for force in forces:
         if not (drawn := next((arrow for arrow in unmatched if force.drawn_by([arrow], near)), None)):
@@ -203,7 +203,7 @@ def _is_drawn(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> 
     return not unmatched
 
 
-Match = tuple[list[Force], list[Arrow]]  # what is missing, and the arrows that draw no force
+Match = tuple[list[Force], list[Arrow]]  # missing forces, and arrows that draw no force
 
 
 def _faults(match: Match) -> int:
@@ -212,7 +212,7 @@ def _faults(match: Match) -> int:
 
 
 def _best_match(body: FreeBody, arrows: Sequence[Arrow], near: float) -> Match:
-    """Return the match that leaves the least, of all divisions into forces."""
+    """Return the match with the fewest faults, over all divisions into forces."""
     return min((_match(forces, arrows, near) for forces in (body.forces, *body.others)), key=_faults)
 
 
@@ -225,7 +225,7 @@ def _match(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> Mat
 
 
 def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> tuple[int, int]:
-    """Return how many forces are drawn, by how many arrows; no arrow may draw two."""
+    """Return how many forces are drawn, and by how many arrows; (-1, 0) if an arrow draws two."""
     used = [*itertools.chain.from_iterable(filter(None, ways))]
     if len(set(used)) < len(used):
         return -1, 0
@@ -233,7 +233,7 @@ def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> t
 
 
 def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[int, ...] | None]:
-    """Yield the numbers of arrows that together draw a force; None where it is missing."""
+    """Yield the indices of arrows that together draw a force, and first None, for a missing force."""
     yield None
     sizes = {0, 1, np.size(force.point)}
     for numbers in itertools.chain.from_iterable(itertools.combinations(range(len(arrows)), n) for n in sizes):
@@ -242,7 +242,7 @@ def _ways(force: Force, arrows: Sequence[Arrow], near: float) -> Iterator[tuple[
 
 
 def _misplaced(missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> str:
-    """Return a force of known sense that is drawn in the other one, at another point, or by its components."""
+    """Return a message if a force of known sense is drawn reversed, at another point, or by its components."""
     for force, arrow in itertools.product([other for other in missing if other.sense], extra):
         here = [other for other in extra if other is not arrow and _at(force, other, near)]
         if _at(force, arrow, near) and any(_perpendicular([arrow, other]) for other in here):
@@ -259,7 +259,7 @@ def _elsewhere(force: Force) -> str:
 
 
 def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: float) -> str:
-    """Return an arrow that is no force on this body: without it the diagram is better, and no force may be meant."""
+    """Return a message on an arrow that is no force, nor meant as a missing one, if the diagram is better without."""
     missing, extra = match
     for wrong, arrow in itertools.product(body.wrong, arrows):
         others = [other for other in arrows if other is not arrow]
@@ -271,7 +271,7 @@ def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: fl
 
 
 def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], near: float) -> Iterator[str]:
-    """Mistakes that can be made with any body, the more special first."""
+    """Yield messages about mistakes that can be made with any body, the more special first."""
     for force, arrow in itertools.product(missing, extra):
         yield _instead(force, arrow, near)
     fewest = min(map(len, (body.forces, *body.others)))
@@ -288,7 +288,7 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
 
 
 def _instead(force: Force, arrow: Arrow, near: float) -> str:
-    """Return what is wrong with an arrow, if it is meant to be a force that is missing."""
+    """Return what is wrong with an arrow if it is meant to be this missing force; else an empty text."""
     if not _at(force, arrow, near):
         return _elsewhere(force) if _same_line(force, arrow) else ""
     if force.along is None:
@@ -309,14 +309,14 @@ def _same_line(force: Force, arrow: Arrow, sense: bool = False) -> bool:
 
 
 def _parallel(direction: Vector, along: ArrayLike, sense: bool) -> bool:
-    """Return whether two vectors have the same direction; without `sense`, or the opposite one."""
+    """Return whether two vectors have the same direction or, without `sense`, opposite directions."""
     first, other = _unit(direction), _unit(along)
     apart = math.dist(first, other) if sense else min(math.dist(first, other), math.dist(first, -other))
     return apart <= SAME
 
 
 def _perpendicular(arrows: Sequence[Arrow]) -> bool:
-    """Return whether arrows, as many as there are dimensions, are perpendicular to each other."""
+    """Return whether there are as many arrows as dimensions, perpendicular to each other."""
     if any(arrow.direction is None for arrow in arrows):
         return False
     units = np.array([_unit(arrow.direction) for arrow in arrows])
@@ -324,7 +324,7 @@ def _perpendicular(arrows: Sequence[Arrow]) -> bool:
 
 
 def _unit(vector: ArrayLike | None) -> Vector:
-    """Of any size: not even its square need be a number of the machine. Zero stays zero, and is along nothing."""
+    """Return the unit vector, zero for zero; divide by the largest component first: squares may over- or underflow."""
     vector = np.asarray(vector, float)
     size = float(np.abs(vector).max())
     if not size:

@@ -1,7 +1,7 @@
-"""Compiles hidden code so that it counts the calls of its functions and the turns of its loops.
+"""Compile hidden code so that it counts the calls of its functions and the iterations of its loops.
 
-A submission chooses what is compared, and from which rows a reference motion is integrated once more: what that may
-spend, `tam570.meter` limits.
+A submission chooses what is compared, and from which rows a reference motion is integrated again; `tam570.meter`
+limits the steps for that.
 """
 
 import ast
@@ -20,14 +20,14 @@ FORMATTED = re.compile(r"(?m)^( *)(?:def|for|while)\b(?:.*\(\n(?: .*\n)*?\1\))?.
 
 
 def count() -> None:
-    """Count a step as `tam570.meter` does, which alone may be traced."""
+    """Count a step as `tam570.meter.count` does, of which the integrator can trace only the latter."""
     meter.count()
 
 
 def compile_counted(text: str | bytes, name: str, *, may_trace: bool = True) -> CodeType:
     """Compile a module whose functions and loops count their steps.
 
-    may_trace : False where rates take a few steps alone: `tam570.integrate.solve` then calls them
+    may_trace : False if rates take only a few steps: `tam570.integrate.solve` then calls them without tracing
     """
     tree = _Counted().visit(ast.parse(text))
     index = next((i for i, node in enumerate(tree.body) if not _is_head(node)), len(tree.body))
@@ -36,7 +36,7 @@ def compile_counted(text: str | bytes, name: str, *, may_trace: bool = True) -> 
 
 
 def compile_lightly(text: str, name: str) -> CodeType:
-    """Compile functions without tracing; formatted ones are counted by their lines, in a fifth of the time."""
+    """Compile functions without tracing; insert counts into formatted text by regex: a fifth of the time."""
     counted, places = FORMATTED.subn(r"\g<0>\2_count()\n", text)
     if "lambda" in text or places != len(HEAD.findall(text)):
         return compile_counted(text, name, may_trace=False)
@@ -44,7 +44,7 @@ def compile_lightly(text: str, name: str) -> CodeType:
 
 
 def _is_head(node: ast.stmt) -> bool:
-    """Return whether it must be before all else: the docstring, and imports from the future."""
+    """Return whether a statement must come first: the docstring, or an import from the future."""
     return (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)) or (
         isinstance(node, ast.ImportFrom) and node.module == "__future__"
     )
@@ -76,7 +76,7 @@ class _Loader(importlib.machinery.SourceFileLoader):
 
 
 class Finder:
-    """Finds the modules of packages of ours, whose names begin alike."""
+    """Meta path finder for modules in packages whose names begin with a prefix; it compiles them with counts."""
 
     def __init__(self, prefix: str) -> None:
         self.prefix = prefix

@@ -1,7 +1,7 @@
-"""What a check says of a result: `expect` compares numbers, `expect_that` takes any condition.
+"""Judge results in a check: `expect` compares numbers, `expect_that` takes any condition.
 
-Both write to the context of the check that is running. It knows the input at hand and its label, so that a check need
-not repeat them. An error that leaves a share of the points does not end the check: the smallest of all cases counts.
+Both write to the context of the running check, which has the current case and its label, so that a check need not
+repeat them. An error that leaves a share of the points does not end the check: the smallest share of all cases counts.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -19,18 +19,18 @@ from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.student import StudentFunction
 
-NEAR_MISS = 10  # limits: wrong physics lies further off, a loose tolerance is often nearer
-NEAR_MISS_SHARE = 0.9  # of the points, for what is right but for a loose tolerance
-LONGEST_FAULT = 400  # characters of an exception of ours
+NEAR_MISS = 10  # tolerances: wrong physics has a larger error, a loose tolerance often a smaller one
+NEAR_MISS_SHARE = 0.9  # of the points, if the result is right except for a loose tolerance
+LONGEST_FAULT = 400  # characters of an exception in the grader
 Hint = str | Callable[[], str]
 
 
 class FollowsFrom(str):
-    """In the place of a hint: the student's own wrong function, whose results the failed one rightly continues."""
+    """Value in place of a hint: the student's wrong function from whose results the failed one follows correctly."""
 
 
 class Failed(Exception):
-    """The student's result is wrong; a share of the points may be left."""
+    """The student's result is wrong; `share` of the points is left."""
 
     def __init__(self, message: str = "", *, share: float = 0.0, **fields: Any) -> None:
         super().__init__(message or fields.get("quantity", ""))
@@ -38,25 +38,25 @@ class Failed(Exception):
 
 
 class NotWritten(Exception):
-    """The function is not there, or is still the stub."""
+    """The function is missing, or is still the stub."""
 
 
 @dataclass
 class CheckContext:
-    """A check as it runs: the case at hand, the failures that leave a share of the points, who listens to errors."""
+    """State of a running check: current case, failures that leave a share of the points, recorders of comparisons."""
 
     case: Case | None = None
-    function: str = ""  # that the case was given to
+    function: str = ""  # the function called with it
     failures: list[tuple[Failed, Hint]] = field(default_factory=list)
-    recorder: Callable[[float], None] | None = None  # told every error over its limit; nothing fails then
-    aside: Callable[[], AbstractContextManager[None]] = nullcontext  # in which calls are made that choose the words
-    examples: list[Json] | None = None  # what is compared is noted here, call by call, if it is a list
-    wrong_before: bool = False  # a check that this one builds on found wrong numbers
-    is_rehearsal: bool = False  # before there is a submission: comparisons take what is right for its results
+    recorder: Callable[[float], None] | None = None  # called with each error / tolerance; then nothing fails
+    aside: Callable[[], AbstractContextManager[None]] = nullcontext  # context for calls that choose the message
+    examples: list[Json] | None = None  # if it is a list, each comparison is appended
+    wrong_before: bool = False  # whether a check that this one builds on found wrong numbers
+    is_rehearsal: bool = False  # no submission yet: comparisons use the expected results as the student's
 
     @property
     def listens(self) -> bool:
-        """Whether each comparison is to be told of."""
+        """Whether each comparison must be reported, passed or failed."""
         return self.recorder is not None or self.examples is not None
 
     def add_example(
@@ -68,28 +68,28 @@ class CheckContext:
         expected: Numbers,
         **limits: Numbers,
     ) -> None:
-        """Note what a result of a student's function is compared with, for the examples that students have."""
+        """Append what a student's result is compared with to `examples`, from which students get example calls."""
         if self.examples is not None:
             part = {"member": member, "columns": columns, "expected": expected, **limits}
             self.examples.append({"function": function.name, "case": case, "compare": part})
 
     def set_call(self, function: str, case: Case) -> None:
-        """From now on the result of this call is judged."""
+        """Set the call whose result is compared from now on."""
         self.function, self.case = function, case
 
     def fail(self, failed: Failed, hint: Hint) -> None:
-        """Keep a failure that leaves a share, else end the check with it."""
+        """Store a failure that leaves a share of the points; raise any other."""
         if failed.share <= 0:
             raise self._explained(failed, hint)
         self.failures.append((failed, hint))
 
     def end(self) -> None:
-        """Raise the failure that leaves the smallest share."""
+        """Raise the stored failure that leaves the smallest share, if there is one."""
         if self.failures:
             raise self._explained(*min(self.failures, key=lambda failure_and_check: failure_and_check[0].share))
 
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
-        """Return the one failure that is told, with its hint, which may take long to find."""
+        """Return the failure to be reported, with its hint, which may take long to compute."""
         said, fault = _said(hint, self)
         source = said if isinstance(said, FollowsFrom) else ""
         failed.failure = replace(failed.failure, hint="" if source else said, follows_from=str(source), fault=fault)
@@ -100,13 +100,13 @@ _current: ContextVar[CheckContext] = ContextVar("context")
 
 
 def get_context() -> CheckContext:
-    """Return the context of the check that is running; a new one for a check that is called by hand."""
+    """Return the context of the running check; a new one if a check is called by hand."""
     return _current.get(None) or CheckContext()
 
 
 @contextmanager
 def check_context(**fields: Any) -> Iterator[CheckContext]:
-    """Run a check in a context with these fields; at its end the smallest share of the points counts."""
+    """Run a check in a context with these fields; at its end raise the failure that leaves the smallest share."""
     running = CheckContext(**fields)
     token = _current.set(running)
     try:
@@ -116,7 +116,7 @@ def check_context(**fields: Any) -> Iterator[CheckContext]:
         _current.reset(token)
 
 
-def expect(  # noqa: PLR0913  what a check says of a comparison, each by its name
+def expect(  # noqa: PLR0913  options of a comparison, passed by name
     actual: Numbers,
     expected: Numbers,
     *,
@@ -134,21 +134,21 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
 ) -> None:
     """Fail unless every abs(actual - expected) / scale is at most `tolerance`; a NaN fails.
 
-    quantity, unit : what is compared, for the message; with a scale the unit says of what ("of the energy")
-    hint     : where to look; a function is asked on failure alone
+    quantity, unit : what is compared, for the message; with a scale, the unit names it ("of the energy")
+    hint     : where to look; a function is called only on failure
     t        : times along the first axis of actual; the message names the time of the largest error
-    partial  : {limit: share of the points} for larger errors, or a function of the error; up to ten limits
+    partial  : {limit: share of the points} for larger errors, or a function of the error; up to NEAR_MISS tolerances
                NEAR_MISS_SHARE is left
-    label, at : the label of the input and the input, where they are not those of the call that was compared last
-    near_miss_credit : False where an error of a few limits is no sign that the physics is right
-    keeps    : asked for on failure: the `curve` of what becomes of an invariant along the student's motion
+    label, at : the label of the input and the input, if they are not those of the last call
+    near_miss_credit : False if an error of a few tolerances is no sign that the physics is right
+    keeps    : called on failure; returns the `curve` of an invariant along the student's motion
     """
     actual, expected = np.asarray(actual, float), np.asarray(expected, float)
     errors = distance(actual, expected) / scale
     worst = int(np.argmax(errors)) if errors.size else 0  # the first NaN, if there is one
     error = float(errors.flat[worst]) if errors.size else np.nan
     if recorder := get_context().recorder:
-        over_limit = error / tolerance if tolerance else np.inf if error else 0.0  # 0 where a number must be exact
+        over_limit = error / tolerance if tolerance else np.inf if error else 0.0  # 0: a number must be exact
         recorder(np.inf if np.isnan(error) else over_limit)
     elif not error <= tolerance:
         numbers = {"error": error, "limit": tolerance, "expected": expected, "actual": actual}
@@ -158,7 +158,7 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
             plotted = curve(t, actual, expected, scale, tolerance=tolerance, quantity=quantity, unit=unit)
             numbers["curve"] = {**plotted, "keeps": keeps()} if plotted and keeps else plotted
         share = _share(error, tolerance if near_miss_credit else 0.0, partial)
-        # a share that a function leaves of a larger error says that the physics is right: what builds on it is judged
+        # if a function leaves a share for a larger error, the physics is right: dependent checks run
         numbers["near_miss"] = near_miss_credit and (
             error <= NEAR_MISS * tolerance or (callable(partial) and share > 0)
         )
@@ -166,7 +166,7 @@ def expect(  # noqa: PLR0913  what a check says of a comparison, each by its nam
 
 
 def expect_that(holds: object, message: str, *, hint: Hint = "", label: str | None = "") -> None:
-    """Fail with `message` (what is wrong) unless the condition holds; a label of None means: for any input."""
+    """Fail with `message` (what is wrong) unless the condition holds; label=None means: for any input."""
     if not holds:
         fail(message, hint=hint, label=label)
 
@@ -174,7 +174,7 @@ def expect_that(holds: object, message: str, *, hint: Hint = "", label: str | No
 def fail(
     message: str, *, hint: Hint = "", label: str | None = "", at: object = None, share: float = 0.0, **fields: Any
 ) -> None:
-    """Fail with `message`; with a share the check goes on."""
+    """Fail with `message`; if a share is left, the check continues."""
     running = get_context()
     case = running.case
     fields |= {"label": (case.label if case and label == "" else label) or "", "at": case if at is None else at}
@@ -182,7 +182,7 @@ def fail(
 
 
 def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
-    """Return where to look, and what went wrong on our side in choosing it: no reason to lose a grade."""
+    """Return the hint, and the grader's error in choosing it, which must not cost a grade; one of the two is empty."""
     if not callable(hint):
         return hint, ""
     try:
@@ -190,20 +190,20 @@ def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
             return hint(), ""
     except MemoryError:
         raise
-    except (Failed, NotWritten, Exhausted):  # what the student's function does then is not judged
+    except (Failed, NotWritten, Exhausted):  # from calls of the student's functions, which are not graded here
         return "", ""
     except Exception as error:
         return "", repr(error)[:LONGEST_FAULT]
 
 
 def distance(actual: Numbers, expected: Numbers) -> Numbers:
-    """Return the size of the difference; zero where both are infinite: infinity may be right."""
+    """Return the absolute difference; zero if both are the same infinity, which may be right."""
     with np.errstate(invalid="ignore"):
         return np.where(actual == expected, 0.0, np.abs(actual - expected))
 
 
 def _share(error: float, tolerance: float, partial: Mapping[float, float] | Callable[[float], float] | None) -> float:
-    """Of the points, for an error beyond the limit."""
+    """Return the share of the points for an error beyond the tolerance."""
     if callable(partial):
         return NEAR_MISS_SHARE if error <= NEAR_MISS * tolerance else partial(error)
     shares = {**(partial or {}), NEAR_MISS * tolerance: NEAR_MISS_SHARE}

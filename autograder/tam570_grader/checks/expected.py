@@ -1,6 +1,6 @@
-"""What is right at an input, computed a single time for a class that is given the same inputs.
+"""Expected results, computed once for all students who have the same inputs.
 
-What took long is left in a folder that the supervisors of a run share, as data: the others wait for it and read it.
+Results that take long are also stored in a folder that the supervisors of a run share: the others wait and read them.
 """
 
 import contextlib
@@ -20,16 +20,16 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import LruCache
 from tam570_grader.protocol.wire import packed, unpacked
 
-MOST_KNOWN = 3000  # answers; with inputs of its own for each student a run makes thousands
-EXPENSIVE = 0.05  # s of processor time, from which an answer is shared
+MOST_KNOWN = 3000  # results in the cache; if inputs differ by student, a run makes thousands
+EXPENSIVE = 0.05  # s of CPU time; results that take longer are shared
 
 _known = LruCache[Numbers](MOST_KNOWN)
-_place: ContextVar[Path | None] = ContextVar("place", default=None)  # the folder, while there is one
-_expensive = set[str]()  # functions that have given a dear answer here; of the others nobody is asked
+_place: ContextVar[Path | None] = ContextVar("place", default=None)  # the shared folder, if there is one
+_expensive = set[str]()  # functions with an expensive result so far; only their results are looked up
 
 
 def expected_result(reference: Function, case: Case) -> Numbers:
-    """right(*args, **kwargs) of a case; it is shared, and not to be changed."""
+    """Return the reference's result for a case; callers share it and must not change it."""
     inputs = case.packed
 
     def computed() -> Numbers:
@@ -40,7 +40,7 @@ def expected_result(reference: Function, case: Case) -> Numbers:
 
 @contextlib.contextmanager
 def sharing(folder: Path | None) -> Iterator[None]:
-    """Share what is dear with the processes that name the same folder, which must be ours alone."""
+    """Share expensive results with the processes that use the same folder, to which nobody else may have access."""
     token = _place.set(folder)
     try:
         yield
@@ -49,10 +49,10 @@ def sharing(folder: Path | None) -> Iterator[None]:
 
 
 def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Numbers]) -> Numbers:
-    """Return what `compute` gives, from whoever computed it first where that took long.
+    """Return the result of `compute`, or that of the process that computed it first if it took long.
 
-    function : whose other answers are likely to be as dear
-    name     : tells the computation from all others; "" where that cannot be
+    function : if a result of it was expensive, the others are expected to be, and are looked up
+    name     : identifies the computation; "" if that is impossible: nothing is shared then
     """
     folder = _place.get()
     if not name or not folder:
@@ -72,7 +72,7 @@ def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Number
 
 
 def _keep(path: Path, value: object) -> None:
-    """Leave a value where the others look; a full disk costs them the time to compute it."""
+    """Store a value for the other processes; if the disk is full, they compute it themselves."""
     with contextlib.suppress(OSError):
         draft = path.with_suffix(f".{os.getpid()}")
         draft.write_bytes(packed({"parts": [*value]} if isinstance(value, tuple) else value))
@@ -80,14 +80,14 @@ def _keep(path: Path, value: object) -> None:
 
 
 def _name(reference: Function) -> str:
-    """Return a function's, if the module holds it by this name: a closure may be another in the next process."""
+    """Return a function's module and name; "" for a closure, which may be another function in the next process."""
     module, name = reference.__module__, getattr(reference, "__qualname__", "")
     return f"{module}.{name}" if getattr(sys.modules.get(module), name, None) is reference else ""
 
 
 @contextlib.contextmanager
 def _only_one(path: Path) -> Iterator[None]:
-    """One process at a time computes; those that need the same answer wait for it."""
+    """Lock the file, so that processes that need the same result wait for the one that computes it."""
     with open(path, "ab") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield

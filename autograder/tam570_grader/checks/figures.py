@@ -24,7 +24,7 @@ Vector = NDArray[np.float64]
 
 WIDTH = 520  # px
 HEAD, SLIM = 11.0, 0.3  # px, length of an arrowhead; half its width over its length
-HATCH, COIL, TURNS = 9.0, 7.0, 9  # px, px, of a spring
+HATCH, COIL, TURNS = 9.0, 7.0, 9  # px between hatches; px, half the width of a spring, and its turns
 SUBSCRIPT = re.compile(r"_(\S+)")
 STYLE = "".join(map(str.strip, Path(__file__).with_name("figure.css").read_text(encoding="utf-8").splitlines()))
 
@@ -88,14 +88,14 @@ class Figure:
         label: str,
         by: tuple[float, float] | None = None,
     ) -> None:
-        """Draw the arc from one direction to another, in rad, with its head at the end: the positive sense."""
+        """Draw the arc from one direction to another, in rad, with an arrowhead at the end: the positive sense."""
         turns = np.linspace(start, end, 25)
         around = np.asarray(centre) + radius * np.column_stack([np.cos(turns), np.sin(turns)])
         outwards = 16 * math.cos(turns[12]), 16 * math.sin(turns[12])
         self.curve(around, label, by=by or outwards)
 
     def dimension(self, a: ArrayLike, b: ArrayLike, label: str, aside: float = 0.0) -> None:
-        """Mark the distance from a to b by a line beside it, `aside` px to the left of the way from a to b."""
+        """Mark the distance from a to b by a line beside it, `aside` px to the left of the direction from a to b."""
         start, end = self._on_paper([a, b])
         along = (end - start) / math.dist(start, end)
         offset = aside * np.array([along[1], -along[0]])
@@ -109,7 +109,7 @@ class Figure:
         self._text(middle, label, (side[0], -side[1]), "thin")
 
     def point(self, name: str, at: ArrayLike, by: tuple[float, float] = (13, 12), size: float = 4.0) -> None:
-        """Draw a point with its name, which the SVG has as data-name."""
+        """Draw a point with its name, which becomes data-name in the SVG."""
         (paper,) = self._on_paper([at])
         self._parts.append(f'<circle cx="{paper[0]:.2f}" cy="{paper[1]:.2f}" r="{size:g}" data-name="{escape(name)}"/>')
         self._text(paper, name, by, "thin")
@@ -130,7 +130,7 @@ class Figure:
         self._path([start, *zigzag, end], "body")
 
     def ground(self, a: ArrayLike, b: ArrayLike) -> None:
-        """Draw a surface from a to b, hatched on the right of that way."""
+        """Draw a surface from a to b, hatched on the right of that direction."""
         start, end = self._on_paper([a, b])
         length = math.dist(start, end)
         along = (end - start) / length
@@ -151,7 +151,7 @@ class Figure:
     # Paper
 
     def _on_paper(self, points: ArrayLike | Sequence[ArrayLike]) -> Vector:
-        """Pixels to the right and down."""
+        """Return pixels to the right and down."""
         return np.asarray((np.array(points, float) - self._corner) * [self.scale, -self.scale])
 
     def _path(self, places: Sequence[Vector] | Vector, style: str, closed: bool = False) -> None:

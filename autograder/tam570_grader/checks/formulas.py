@@ -1,4 +1,4 @@
-"""Formulas in plain symbols: their values, and whether an equation of motion follows from one's own Lagrangian."""
+"""Values of formulas, and whether an equation of motion follows from the student's own Lagrangian."""
 
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
@@ -11,12 +11,12 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed, FollowsFrom, NotWritten
 from tam570_grader.checks.student import StudentFunction
 
-STEP = 1e-3  # of x and of v: differences of a formula's doubles are good to 1e-6
-FOLLOWS = 1e-4  # another term changes more
+STEP = 1e-3  # of x and of v; finite differences of doubles then err by 1e-6
+FOLLOWS = 1e-4  # relative error; that of a wrong term is larger
 
 
 def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
-    """Return the same values as keywords, which are the symbols of a formula."""
+    """Return the cases with their values as keywords, named by the symbols of a formula."""
     return [
         Case(**dict(zip(symbols, (*case.args, *case.kwargs.values()), strict=True))).labelled(case.label, case.hint)
         for case in cases
@@ -24,9 +24,9 @@ def in_symbols(cases: Iterable[Case], *symbols: str) -> list[Case]:
 
 
 def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> Callable[..., str]:
-    """Return a hint for `lagrange_equation`: whether a wrong x'' is that of the student's own `lagrangian`.
+    """Return a hint for `lagrange_equation`: FollowsFrom if its wrong x'' is that of the student's own `lagrangian`.
 
-    cases : whose keywords are the Lagrangian's symbols, x and v not zero
+    cases : their keywords are the Lagrangian's symbols; x and v are not zero
     """
     equation, lagrangian, points = student.lagrange_equation, student.lagrangian, [dict(case.kwargs) for case in cases]
 
@@ -43,7 +43,7 @@ def from_own_lagrangian(student: Any, cases: Sequence[Case], otherwise: str) -> 
 
 
 def _accelerations(lagrangian: StudentFunction, points: list[dict[str, float]], x: str, v: str) -> NDArray[np.float64]:
-    """x'' = (L_x - L_vx v) / L_vv by central differences."""
+    """Return x'' = (L_x - L_vx v) / L_vv, by central differences."""
     shifts = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
     moved = [{**p, x: p[x] * (1 + i * STEP), v: p[v] * (1 + j * STEP)} for p in points for i, j in shifts]
     values = np.reshape(lagrangian.at(moved), (len(points), 3, 3))

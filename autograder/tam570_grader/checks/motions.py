@@ -1,4 +1,4 @@
-"""What is wrong with a simulated motion, told by its rows: late, wrapped, kept from another call, joined, too loose."""
+"""Diagnose a wrong motion from its rows: late, wrapped, from another call, interpolated, at a loose tolerance."""
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -15,38 +15,38 @@ from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.student import StudentFunction
 
 Array = NDArray[np.float64]
-# The arguments behind t that begin the motion at a row; or such a motion elsewhere, whose rows grow as these do.
+# Returns the arguments behind t that begin the motion at a row, or a motion elsewhere with the same increments.
 Restart = Callable[[Array], tuple[Numbers, ...]]
 
 
 def flat(rows: Numbers) -> Array:
-    """(n, k) of rows, or of several arrays of them side by side."""
+    """Return rows, or several arrays of them side by side, as an array (n, k)."""
     parts = rows if isinstance(rows, tuple) else (rows,)
     return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
 
 
-ALIKE = 1e-3  # of the scale: two integrations of one motion differ by their tolerances
-DENSE = 1e-4  # of the scale: the interpolation of a solver at a loose tolerance is off by less, straight lines by more
-BETTER = 0.1  # of the error is left where other times are what matters
-DENSER = 400  # times that are asked for in the place of few
-ROUGHLY = 0.1  # of the scale: beyond it a small wrong term is as likely as a loose tolerance
-FEWEST = 3  # rows that lead to the next, the first among them
-TRIED = 12  # rows at which the right equations are asked where they lead
-JUMPED = 0.9  # of the sum of all that rows lose
-OBEYED = 0.03  # of the change between rows: a wrong term makes more, a loose tolerance less
-# Of the duration: in one so short no step has an error, and a wrong term has the same part in the rate as in any other.
+ALIKE = 1e-3  # of the scale: two integrations of one motion differ by less
+DENSE = 1e-4  # of the scale: a solver's interpolation at a loose tolerance errs by less, linear interpolation by more
+BETTER = 0.1  # of the error: less remains at other times if the times are the cause
+DENSER = 400  # number of times at which a motion is refined
+ROUGHLY = 0.1  # of the scale: for a larger error, a small wrong term is as likely as a loose tolerance
+FEWEST = 3  # rows that lead to the next, including the first
+TRIED = 12  # rows from which the reference motion is integrated to the next
+JUMPED = 0.9  # of the sum of the errors of all steps; a larger error is a jump
+OBEYED = 0.03  # of the change between rows: the error of a wrong term is larger, that of a loose tolerance smaller
+# Of the duration: so short that integration errors vanish, while a wrong term changes the rate as much as ever.
 INSTANTS = 1e-8, 1e-7
-LONGER = 3  # durations, in which the second row of other times is sought
-MOST_STEPS = 4  # of other times, that are tried
-ASKED = 6  # rows, and right states, from which both set off for an instant
-ABSURD = 100  # scales: from what is off by more the right motion may take as long as it likes
-STEPS = 2_000_000  # of the right motion from a student's rows
-EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors' rate: right rates leave less of it, a wrong term makes more
+LONGER = 3  # durations in which the time of the student's second row is sought
+MOST_STEPS = 4  # time steps of the student's that are tried
+ASKED = 6  # rows, and right states, from which both motions are started for an instant
+ABSURD = 100  # scales: from rows with a larger error, the reference motion may take arbitrarily long
+STEPS = 2_000_000  # limit for the reference motion from a student's rows
+EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors: right rates cause less than the first, wrong ones more than the second
 
 
 @dataclass(frozen=True)
 class ComparedMotion:
-    """A case, the student's rows, the right ones, the scale of each column."""
+    """A case, with the student's rows, the expected ones, and the scale of each column."""
 
     case: Case
     actual: Array
@@ -62,7 +62,7 @@ class ComparedMotion:
 
     @cached_property
     def errors(self) -> Array:
-        """(n, k) of the scales; a NaN is larger than any."""
+        """The errors (n, k), relative to the scales; NaN counts as infinite."""
         errors = np.abs(self.actual - self.expected) / self.scales
         return np.where(np.isnan(errors), np.inf, errors)
 
@@ -71,19 +71,19 @@ class ComparedMotion:
         return float(self.errors.max())
 
     def near(self, rows: Numbers, quantity: Numbers = None) -> bool:
-        """Return whether the student's rows, or some of them, are these, and not as well the right ones."""
+        """Return whether the student's rows, or `quantity`, agree with these rows, but not also with the expected."""
         actual, tolerance = self.actual if quantity is None else quantity, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == actual.shape and bool(np.max(np.abs(rows - actual) / self.scales) <= tolerance)
 
     def repeated_at(self, t: Array, *start: Numbers) -> Array | None:
-        """Return the student's rows at other times, or from another start; None where there are none."""
+        """Return the student's rows at other times, or from another start; None if the call fails."""
         try:
             return flat(self.function.aside(self.case.replace(t, *start)))
         except (Failed, NotWritten):
             return None
 
     def truly(self, t: Array, *start: Numbers) -> Array:
-        """Return the right rows at other times, or from another start."""
+        """Return the reference's rows at other times, or from another start."""
         case = self.case.replace(t, *start)
         return flat(expected_result(self.reference, case))
 
@@ -95,13 +95,13 @@ def diagnosed(
     near_miss: float,
     rates_are_right: Callable[[], bool] | None = None,
 ) -> str:
-    """Return what a wrong motion is instead, in a sentence; empty if the rows do not tell.
+    """Return a sentence that says what a wrong motion is; empty if the rows do not show it.
 
-    near_miss : the error, of the scale, up to which a loose tolerance is likely even where nothing moves
-    rates_are_right : whether the student's own function of the rates is
+    near_miss : the error, relative to the scale, up to which a loose tolerance is likely even if nothing moves
+    rates_are_right : returns whether the student's own function of the rates is right
     """
     with np.errstate(all="ignore"):
-        moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # what rests is the same at any times
+        moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # rest is the same at any times
         message = next((sentence for is_so, sentence in _tells(motion, motions, turns) if moves and is_so()), "")
         if message or not (motion.error <= near_miss or obeys(motion)):
             return message
@@ -118,7 +118,7 @@ Rule = tuple[Callable[[], bool], str]
 
 
 def _tells(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Sequence[int]) -> list[Rule]:
-    """Return the questions in order: what is cheap and certain comes first."""
+    """Return pairs (test, sentence) in the order of the tests: cheap and certain ones first."""
     inner, expected = motion.actual[1:-1], motion.expected
     return [
         (lambda: _still(motion), "Every row is the start"),
@@ -147,7 +147,7 @@ FROM_ZERO = "The start is taken at t = 0: it is the state at t[0]"
 KEPT = "This is the motion of an earlier call: is a result kept between calls?"
 OTHER_TIMES = "These are rows of the right motion at other times: use the times in t"
 ALL_THE_LAST = "Every row is the last one: do you append one array, which you change?"
-# of the right motion: a slip that later checks may repeat
+# rows of the right motion, with a mistake that may recur in later checks
 OF_TIMES = ONE_ROW_AHEAD, BEHIND, OTHER_START, WRAPPED, EVEN, FROM_ZERO, KEPT, OTHER_TIMES, ALL_THE_LAST
 FROM_ELSEWHERE = "The rows follow from one another, but not from the start: with which state do you begin?"
 OF_ROWS = *OF_TIMES, FROM_ELSEWHERE
@@ -155,7 +155,7 @@ JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
 SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
-OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # what is said of coarse steps, which wrong rates look like
+OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # sentences about coarse steps, to which wrong rates look similar
 
 
 def _still(motion: ComparedMotion) -> bool:
@@ -183,7 +183,7 @@ def _even(motion: ComparedMotion) -> bool:
 
 
 def _at_other_times(motion: ComparedMotion) -> bool:
-    """Return whether the rows are those at even times of another step, such as one of the student's own."""
+    """Return whether the rows are right at evenly spaced times with another step, such as the student's own."""
     moved = np.max(np.ptp(motion.actual, axis=0) / motion.scales)
     if len(motion.t) < 3 or not ROUGHLY < moved <= ABSURD or motion.errors[0].max() > ALIKE:
         return False
@@ -196,7 +196,7 @@ def _at_other_times(motion: ComparedMotion) -> bool:
 
 
 def _steps(motion: ComparedMotion) -> Iterator[float]:
-    """Durations after which the right motion passes through the student's second row."""
+    """Yield the durations after which the right motion passes through the student's second row."""
     start, later = motion.t[0], LONGER * (motion.t[-1] - motion.t[0]) * np.linspace(0, 1, LONGER * DENSER + 1)
 
     def missed(durations: Array) -> Array:
@@ -214,7 +214,7 @@ def _steps(motion: ComparedMotion) -> Iterator[float]:
 
 
 def _from_elsewhere(motion: ComparedMotion) -> bool:
-    """Return whether the right equations lead from each row to the next, but for the first, and the motion is wrong."""
+    """Return whether the motion is wrong, but each row after the first leads to the next by the right equations."""
     rows = _some(motion)
     moved = np.abs(motion.actual[rows + 1] - motion.actual[rows]) / motion.scales
     if len(rows) < FEWEST or not ROUGHLY < motion.error <= ABSURD or moved[1:].max() <= ROUGHLY:
@@ -224,7 +224,7 @@ def _from_elsewhere(motion: ComparedMotion) -> bool:
 
 
 def _from_zero(motion: ComparedMotion) -> bool:
-    """Return the right motion with its start at t = 0, at the times after both."""
+    """Return whether the rows after t = 0 are the right motion with its start at t = 0 instead of t[0]."""
     t = motion.t
     after = t > max(t[0], 0.0)
     if t[0] == 0 or not after.any():
@@ -236,8 +236,8 @@ def _from_zero(motion: ComparedMotion) -> bool:
 
 
 def _reordered(motion: ComparedMotion) -> bool:
-    columns = motion.actual.T[:, :, None] - motion.expected[None]  # each of the student's less each of the right ones
-    off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN, too, is as far off as can be
+    columns = motion.actual.T[:, :, None] - motion.expected[None]  # all differences of two columns
+    off = np.fmin(np.abs(columns / motion.scales).max(axis=1), 1.0)  # a NaN counts as 1
     if off.min(axis=1).max() > ALIKE:
         return False
     from scipy.optimize import linear_sum_assignment
@@ -253,9 +253,9 @@ def _another(motion: ComparedMotion, motions: Sequence[ComparedMotion]) -> bool:
 
 
 def _joined(motion: ComparedMotion) -> bool:
-    """Return whether the worst row is right where its time is the last, at which every integrator ends a step."""
+    """Return whether the worst row is right if its time is the last, where every integrator ends a step."""
     row = int(np.argmax(motion.errors.max(axis=1)))
-    gathers = motion.errors[-1].max() > motion.error / 2  # from row to row, as between steps nothing does
+    gathers = motion.errors[-1].max() > motion.error / 2  # the error accumulates, as that of interpolation does not
     if row == 0 or gathers or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
     repeated = motion.repeated_at(motion.t[[0, row]])
@@ -265,7 +265,7 @@ def _joined(motion: ComparedMotion) -> bool:
 
 
 def _denser(motion: ComparedMotion) -> bool:
-    """Return whether times in between bring the rows right, which cannot be the equation's fault."""
+    """Return whether the rows become right with more times in between, which excludes a wrong equation."""
     t, between = motion.t, max(2, DENSER // len(motion.t))
     fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
     repeated = motion.repeated_at(fine)
@@ -275,9 +275,9 @@ def _denser(motion: ComparedMotion) -> bool:
 
 
 def obeys(motion: ComparedMotion, *, everywhere: bool = False) -> bool:
-    """Return whether each row nearly follows from the one before by the right equations.
+    """Return whether each row nearly follows from the previous one by the right equations.
 
-    everywhere : ask at every row, and allow no exception; else at some
+    everywhere : test every row, without exception; else some rows, of which a tenth may fail
     """
     if not motion.error <= ABSURD or motion.errors[0].max() > ALIKE:
         return False
@@ -288,12 +288,12 @@ def obeys(motion: ComparedMotion, *, everywhere: bool = False) -> bool:
 
 
 def _some(motion: ComparedMotion, count: int = TRIED) -> NDArray[np.int_]:
-    """Numbers of rows, but for the last."""
+    """Return the indices of up to `count` evenly spread rows, without the last row."""
     return np.unique(np.linspace(0, len(motion.t) - 2, count).astype(int))
 
 
 def _lost(motion: ComparedMotion, rows: NDArray[np.int_]) -> Array:
-    """Return how far the right motion from each of these rows passes from the row after it, of the scale, or NaN."""
+    """Return the error of each step from these rows to the next, relative to the scale; NaN if the reference fails."""
     led = (motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row])) for row in rows)
     try:
         with limited(STEPS):
@@ -305,13 +305,13 @@ def _lost(motion: ComparedMotion, rows: NDArray[np.int_]) -> Array:
 
 
 def _jumps(motion: ComparedMotion) -> bool:
-    """Return whether the error is made between two of many rows, as no loose tolerance makes it."""
+    """Return whether nearly all of the error arises between two of many rows, unlike with a loose tolerance."""
     lost = _lost(motion, np.arange(len(motion.t) - 1))
     return lost.size >= TRIED and float(lost.max()) > max(ROUGHLY, JUMPED * float(lost.sum()))
 
 
 def _explained(motion: ComparedMotion) -> float:
-    """Return the share of the errors that wrong rates make: near zero if the physics is right, NaN if none can tell."""
+    """Return the share of the errors that wrong rates cause: near zero if the physics is right, NaN if undecided."""
     rows, shares = _some(motion), list[float]()
     try:
         lost = _lost(motion, rows) / np.diff(motion.t)[rows]
@@ -322,13 +322,13 @@ def _explained(motion: ComparedMotion) -> float:
                 return shares[-1]
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
         return np.nan
-    return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or how an integrator starts
+    return min(shares) if max(shares) <= 2 * min(shares) else np.nan  # rounding, or an integrator's first step
 
 
 def _worst(motion: ComparedMotion, rows: NDArray[np.int_]) -> Iterator[tuple[float, Array]]:
-    """Yield times and states where most of the error is made: rows, the worst first, and right states behind the first.
+    """Yield times and states where most of the error arises: the worst rows first, then right states after the first.
 
-    A row that breaks a constraint is taken as the right motion takes it.
+    If a row violates a constraint, use the state to which the reference motion projects it.
     """
     for row in rows[:ASKED]:
         yield motion.t[row], motion.truly(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))[0]
@@ -337,7 +337,7 @@ def _worst(motion: ComparedMotion, rows: NDArray[np.int_]) -> Iterator[tuple[flo
 
 
 def _apart(motion: ComparedMotion, starts: Sequence[tuple[float, Array]], instant: float) -> float:
-    """Return the largest rate, of the scale, at which the student's function leaves the right one."""
+    """Return the largest rate, in scales per s, at which the student's function departs from the reference."""
     rates = list[float]()
     for at, state in starts:
         t, start = at + _instant(motion, instant), _restart(motion, state)
@@ -349,11 +349,11 @@ def _apart(motion: ComparedMotion, starts: Sequence[tuple[float, Array]], instan
 
 @dataclass(frozen=True)
 class Rates:
-    """The student's own rates, which may make a motion.
+    """The student's own rates, from which a motion may follow.
 
-    at : of the first or of the last columns, at a time and a row; the others have the right ones
-    move : whether the motion moves where they do
-    back : the student's function that puts a state back onto a constraint
+    at : (t, row) -> rates of the first or the last columns; the other columns have the right rates
+    move : returns whether the motion changes if these rates do
+    back : the student's function that projects a state onto a constraint
     """
 
     at: Callable[[float, Array], Numbers]
@@ -361,7 +361,7 @@ class Rates:
     back: Callable[[Array], Numbers] | None = None
 
     def models(self, t: float, row: Array, rate: Array, instant: float) -> Array:
-        """(models, k) the rates at which a motion may go on from a row, where `rate` is right."""
+        """Return the rates (3, k) at which a motion by the student's rates may leave a row; `rate` is right."""
         rates, models = np.ravel(self.at(t, row)), np.array([rate] * 3)
         models[0, : rates.size] = models[1, -rates.size :] = rates
         if self.back:
@@ -370,12 +370,12 @@ class Rates:
 
 
 def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> bool:
-    """Return whether the student's own wrong rates make the motion: nothing else is wrong with it.
+    """Return whether the motion follows from the student's wrong rates, with nothing else wrong in it.
 
-    Steps back onto a constraint may take away all that is wrong with the rates at each instant, and leave what they
-    do in the steps between.
+    Projections onto a constraint may undo all that is wrong with the rates at each instant, and leave their effect
+    within the steps.
 
-    ends : whether the student's rows are there to be compared; a motion that breaks off can only set off
+    ends : whether the student's rows can be compared; if the motion breaks off, only its first instants can
     """
     rows = _some(motion, ASKED)
     unexplained, wrong, undone = np.zeros(3), np.zeros(3), 0.0
@@ -390,7 +390,7 @@ def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> boo
         sound = [row for row in rows if motion.errors[row : row + 2].max() <= ABSURD]
         if explained and (not ends or all(_leads_on(motion, row) for row in sound)):
             return True
-        # rows that are put back onto a constraint need not be those from which the motion goes on
+        # rows projected onto a constraint may differ from the states from which the motion continues
         is_undone = undone <= EXPLAINED * wrong[:2].min()
         return bool(is_undone or (explained and rates.back)) and rates.move()
     except (Failed, NotWritten, ValueError, ArithmeticError, Exhausted):
@@ -398,7 +398,7 @@ def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> boo
 
 
 def sets_off(motion: ComparedMotion) -> bool:
-    """Return whether the student's motion leaves right rows at the right rates."""
+    """Return whether the student's motion leaves right states at the right rates."""
     try:
         for row in _some(motion, ASKED):
             _, rate, expected = _set_off(motion, row)
@@ -411,7 +411,7 @@ def sets_off(motion: ComparedMotion) -> bool:
 
 
 def _leads_on(motion: ComparedMotion, row: int) -> bool:
-    """Return whether the student's motion from one of its rows goes on as it did."""
+    """Return whether the student's motion, started at one of its rows, makes the same step as before."""
     led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
     if led is None:
         return False
@@ -420,7 +420,7 @@ def _leads_on(motion: ComparedMotion, row: int) -> bool:
 
 
 def _set_off(motion: ComparedMotion, row: int) -> tuple[Array, Array, Array]:
-    """Return the times of an instant from a right row, and the rates of the student's motion and of the right one."""
+    """Return the times of an instant after a right row, and the rates of the student's motion and of the reference."""
     t, start = motion.t[row] + _instant(motion, INSTANTS[-1]), _restart(motion, motion.expected[row])
     own_rows, right_rows = flat(motion.function.aside(motion.case.replace(t, *start))), motion.truly(t, *start)
     return t, np.diff(own_rows, axis=0)[0] / np.ptp(t), np.diff(right_rows, axis=0)[0] / np.ptp(t)
@@ -431,7 +431,7 @@ def _instant(motion: ComparedMotion, share: float) -> Array:
 
 
 def _restart(motion: ComparedMotion, row: Array) -> tuple[Numbers, ...]:
-    """Return the arguments behind t that begin the motion at a row; ValueError where the row does not tell them."""
+    """Return the arguments behind t that begin the motion at a row; raise ValueError if the row does not have them."""
     if motion.restart:
         return motion.restart(row)
     starts = [value for value in motion.case.args[1:] if not isinstance(value, str)]

@@ -1,4 +1,4 @@
-"""What students draw: curves, whatever their corners are, the edges of boxes in any order, labels in many forms."""
+"""Judge what students plot: curves with any points, the edges of boxes in any order, labels in many forms."""
 
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -18,15 +18,15 @@ from tam570_grader.checks.student import StudentFunction
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]  # points of the plane
 
-SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # of a curve's points, of them, of the figure: a curve with less is not seen
-STRAIGHT = 1e-3  # of the axes: a logarithmic one over a tenth of a decade is bent by .03
-LARGEST = 1e100  # of what a student draws, which is cut to this
-MOST_POINTS, MOST_CORNERS = 400, 4000  # a picture of a million points costs no more than one that looks alike
-BLOCK = 128  # points whose products with a path's fit in a cache
+SEEN, WITHIN, EXTENT = 0.5, 0.9, 0.02  # least share of a curve's points that show, that are within the axes; least size
+STRAIGHT = 1e-3  # largest `bent` of linear axes; a logarithmic axis over a tenth of a decade has .03
+LARGEST = 1e100  # coordinates that a student plots are cut to this
+MOST_POINTS, MOST_CORNERS = 400, 4000  # so that a picture of a million points costs no more than a similar one
+BLOCK = 128  # points per product with a path's corners, so that it fits in the cache
 
 
 def readable(picture: Drawing) -> Drawing:
-    """Read what a student draws, labels without TeX's commands, and of its lines those that are curves."""
+    """Return a drawing with labels without TeX's commands, and of its lines only those that are curves."""
     xlabel, ylabel = map(without_tex, (picture.xlabel, picture.ylabel))
     lines = (replace(line, points=_told_apart(line.points)) for line in picture.lines)
     curves = tuple(line for line in lines if len(line.points) >= FEWEST)
@@ -34,13 +34,13 @@ def readable(picture: Drawing) -> Drawing:
 
 
 def _told_apart(points: Array) -> Array:
-    """Return the points without NaN, which lifts the pen, and without repetition of the one before."""
+    """Return the points without NaN, which interrupts a line, and without immediate repetitions."""
     points = np.clip(points[np.isfinite(points).all(axis=1)], -LARGEST, LARGEST)
     return points[np.insert(np.diff(points, axis=0).any(axis=1), 0, True)] if len(points) else points
 
 
 def along(line: Line, path: Array) -> Array:
-    """Return the points of a drawn line in its order; of a scatter, which has none, in that of the path beside them."""
+    """Return the points of a drawn line in its order; those of a scatter, which has none, in that of the path."""
     if not line.scatter:
         return line.points
     tangents = np.gradient(path, axis=0)
@@ -51,23 +51,23 @@ def along(line: Line, path: Array) -> Array:
 
 
 def distances(points: ArrayLike, polygon: ArrayLike) -> Array:
-    """Distance from each of the points, or of every kth if there are many, to the nearest side of the polygon.
+    """Return the distance from each point, or from every kth of many, to the nearest side of the polygon.
 
-    points, polygon : (n, 2) and (m, 2), m > 1; the polygon's kth corners alone are joined if there are many
+    points, polygon : (n, 2) and (m, 2), m > 1; of many corners of the polygon, only every kth is used
     """
     places, corners = _some(points, MOST_POINTS), _some(polygon, MOST_CORNERS)
     return np.asarray(_apart(places[:, None], corners[:-1], corners[1:]).min(axis=1))
 
 
 def _is_along(points: ArrayLike, polygon: ArrayLike, limit: float) -> bool:
-    """Return whether each point is so near to a side at its nearest corner; if not, it may be near to another side."""
+    """Return whether each point is within `limit` of a side at its nearest corner; if not, another side may be near."""
     places, corners = _some(points, MOST_POINTS), _some(polygon, MOST_CORNERS)
     starts = np.clip(_nearest(places, corners)[:, None] + [-1, 0], 0, len(corners) - 2)
     return bool((_apart(places[:, None], corners[starts], corners[starts + 1]).min(axis=1) <= limit).all())
 
 
 def _nearest(places: Complex, corners: Complex) -> NDArray[np.intp]:
-    """Return the index of the corner nearest to each place, where p.c - c^2/2 about their middle is largest."""
+    """Return the index of the corner c nearest to each place p: p.c - c^2/2 about the mean corner is largest there."""
     middle = corners.mean()
     x, y = (corners - middle).real, (corners - middle).imag
     columns = np.array([x, y, -(x**2 + y**2) / 2])
@@ -77,7 +77,7 @@ def _nearest(places: Complex, corners: Complex) -> NDArray[np.intp]:
 
 
 def _apart(places: Complex, starts: Complex, ends: Complex) -> Array:
-    """Distance from each place to the side between the two points beside it, in the complex plane."""
+    """Return the distance from each place to the side between two points, all in the complex plane."""
     sides = ends - starts
     sides[sides == 0] = 1e-300
     share = np.clip(((places - starts) / sides).real, 0, 1)
@@ -96,13 +96,13 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     own_paths: Callable[[], Iterable[ArrayLike]] = tuple,
     near_miss_credit: bool = True,
 ) -> None:
-    """Require that a line is the path, from its first point to its last and in its order.
+    """Fail unless a line is the path, from its first point to its last and in its order.
 
-    tolerance : of the path's extent, for the line's points
-    fewer  : how many times as much for the path between fewer points
-    others : {hint: path, or several} of what else a line is that has its ends
-    wrong_source : the name of a wrong function whose results are to be drawn; empty if all are right
-    own_paths : the paths by the student's own functions; Failed if something else is wrong with the picture
+    tolerance : largest distance of the line's points from the path, relative to the path's extent
+    fewer  : factor on the tolerance for the path's points, because the line may have fewer points
+    others : {hint: path, or several} of other paths, which are recognized by their ends
+    wrong_source : returns the name of a wrong function whose results are to be drawn; empty if all are right
+    own_paths : returns the paths by the student's own functions; raises Failed if the picture has another mistake
     """
     size, drawn = float(np.ptp(path, axis=0).max()), along(line, path)
     limit = tolerance * size
@@ -145,7 +145,7 @@ def follows_path(line: Line, paths: Iterable[ArrayLike], tolerance: float, fewer
 
 
 def _other_path(drawn: Array, path: Array, others: Mapping[str, ArrayLike], near: float) -> str:
-    """Return which other path has the ends of the drawn one; empty if none has."""
+    """Return the hint for the other path that has the ends of the drawn one; empty if none has."""
     for message, paths in others.items():
         each = np.reshape(paths, (-1, *np.shape(paths)[-2:]))
         if any(np.allclose(drawn[[0, -1]], candidate[[0, -1]], rtol=0, atol=near) for candidate in each):
@@ -161,16 +161,16 @@ def _arc_length(path: Array) -> float:
 
 
 def _some(points: ArrayLike, most: int) -> Complex:
-    """Return every kth of the points, so that there are `most` or fewer, in the complex plane."""
+    """Return every kth of the points, so that there are at most `most`, as complex numbers."""
     points = np.asarray(points, float)
     x, y = points[:: -(-len(points) // most)].T
     return np.asarray(x + 1j * y)
 
 
 def curves_seen(picture: Drawing, count: int, of_small: Callable[[], str] = str) -> tuple[Line, ...]:
-    """Return the curves that can be seen, of which there must be so many; those that cannot are no fault beside them.
+    """Return the curves that can be seen; fail unless there are `count`. Hidden ones in addition are allowed.
 
-    of_small : what to say of a curve that is too small to be seen beside the other
+    of_small : returns the hint for a curve that is too small to be seen beside the other
     """
     seen = tuple(line for line in picture.lines if not _unseen(line))
     hidden = [line for line in picture.lines if _unseen(line)]
@@ -197,10 +197,10 @@ def _unseen(line: Line) -> str:
 def judge_axes_of_lengths(
     picture: Drawing, across: str = "x horizontal", up: str = "y height vertical", *, from_below: bool = False
 ) -> None:
-    """Require that both axes are lengths by their labels, the unit being a word of its own, evenly and at one scale.
+    """Fail unless both labels have the unit m as a separate word, and the axes are linear and at the same scale.
 
-    across, up : the words that name either axis, the usual one first
-    from_below : whether the picture may be seen from behind the paper, one axis turned round or both exchanged
+    across, up : the words that name each axis, the usual one first
+    from_below : whether the picture may be seen from behind the paper: one axis reversed, or both exchanged
     """
     require = partial(expect_that, label=None)
     for label, shows, axis in zip((picture.xlabel, picture.ylabel), picture.labels_show, "xy", strict=True):
@@ -216,14 +216,14 @@ def judge_axes_of_lengths(
 
 
 def exchanged(picture: Drawing, across: str = "x", up: str = "y") -> tuple[bool, bool]:
-    """Return whether the label of x, and that of y, has a name of the other axis and none of its own."""
+    """Return whether the label of x, and that of y, has a name of the other axis and none of this one."""
     along_x, along_y = (set(re.findall("[a-z]+", label.lower())) for label in (picture.xlabel, picture.ylabel))
     rightward, upwards = set(across.split()), set(up.split())
     return not along_x & rightward and bool(along_x & upwards), not along_y & upwards and bool(along_y & rightward)
 
 
 def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, str]], tolerance: float) -> None:
-    """Require the twelve edges of boxes R, size=size around the origin, each of a kind in words."""
+    """Fail unless the function returns the twelve edges of each box (R, size, label), with its centre at the origin."""
     calls = [Case(R, size=size).labelled(label) for R, size, label in cases]
     for call, edges in function.each(calls):
         (R,), size = call.args, call.kwargs["size"]
@@ -233,20 +233,20 @@ def judge_boxes(function: StudentFunction, cases: Iterable[tuple[Array, Array, s
 
 
 def box_edges(R: Array, size: Array) -> Array:
-    """Return the twelve edges: corners that differ in one sign."""
+    """Return the twelve edges (12, 2, 3) of a box: pairs of corners that differ in one sign."""
     signs = 2 * np.array(list(np.ndindex(2, 2, 2))) - 1
     pairs = [(i, j) for i in range(8) for j in range(i) if np.count_nonzero(signs[i] != signs[j]) == 1]
     return np.asarray((signs[np.array(pairs)] * size / 2) @ R.T)
 
 
 def _astray(actual: Array, expected: Array) -> float:
-    """Return the largest distance of an edge that is there to the nearest right one, in any direction."""
+    """Return the largest distance of an actual edge to the nearest expected one, in either direction."""
     both_ways = [np.abs(actual[:, None] - one_way).max(axis=(2, 3)) for one_way in (expected, expected[:, ::-1])]
     return float(np.minimum(*both_ways).min(axis=1).max())
 
 
 def _mismatch(actual: Array, expected: Array) -> float:
-    """Return how far two boxes' edges are apart, in any order and direction: no edge may be astray, nor be missing."""
+    """Return the largest distance between the edges of two boxes, in any order and direction; a missing edge counts."""
     return max(_astray(actual, expected), _astray(expected, actual))
 
 
@@ -264,7 +264,7 @@ MISTAKEN_BOXES: dict[str, Callable[[Array, Array], Array]] = {
 
 
 def _mistake(actual: Array, R: Array, size: Array, tolerance: float) -> str:
-    """Return what is wrong, if it is a known mistake, else what to look at."""
+    """Return the known mistake in the edges, else where to look."""
     near = tolerance * max(size)
     mistaken = [message for message, box in MISTAKEN_BOXES.items() if _mismatch(actual, box(R, size)) < near]
     if not mistaken and _astray(actual, box_edges(R, size)) < near:

@@ -1,4 +1,4 @@
-"""What hidden checks are written with: the names that they import from `tam570_grader`."""
+"""The names that hidden checks import from `tam570_grader`."""
 
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.case import Case

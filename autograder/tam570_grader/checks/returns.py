@@ -1,13 +1,13 @@
-"""What a student's function returns, as the contract promises it: `Assignment.returns` maps names to these.
+"""What a student's function must return: `Assignment.returns` maps the names of functions to these specifications.
 
     returns={"rotation_matrix": array(3, 3), "simulate": rows(4), "energy_balance": group(number, number, number),
              "lagrangian": formula("theta", "omega", "m", "l", "g"), "plot_tip_path": drawing}
 
-`number.described("the energy", "J", size)` names a result in messages, its unit and what its error is relative to;
+`number.described("the energy", "J", size)` names a result in messages, with its unit and the scale of its error;
 `rows(4, columns=MOTION, rates=RATES)` does so for the columns of a motion, and names the function of its rates.
 
-A result that is not of this form ends the check with a message that says what came instead. What is
-accepted is what `numpy.asarray` turns into that shape: lists, tuples and NumPy scalars too.
+A result of another form ends the check with a message that says what came instead. Lists, tuples and NumPy scalars
+are accepted if `numpy.asarray` turns them into the shape.
 """
 
 from collections.abc import Callable, Sequence
@@ -21,12 +21,12 @@ from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.expect import Failed
 
-Scale = Callable[[Case, Numbers], Numbers]  # scale(case, right result) -> what an error is relative to
+Scale = Callable[[Case, Numbers], Numbers]  # scale(case, expected result)
 
 
 @dataclass(frozen=True)
 class Description:
-    """What messages call a result."""
+    """How messages describe a result."""
 
     quantity: str = "the result"
     unit: str = ""
@@ -35,28 +35,28 @@ class Description:
 
 @dataclass(frozen=True)
 class Described:
-    """A result with what messages call it."""
+    """Base class of specifications with a description."""
 
     description: Description = field(default=Description(), compare=False, kw_only=True)
 
     def described(self, quantity: str, unit: str = "", scale: Scale | None = None) -> Self:
-        """Return the same promise, with what messages call its result."""
+        """Return a copy with a description of its result."""
         return replace(self, description=Description(quantity, unit, scale))
 
 
 @dataclass(frozen=True)
 class Array(Described):
-    """A float64 array; None stands for any length but zero, and "n" for as many as the first argument has."""
+    """A float64 array; in its shape, None is any length but zero, and "n" the length of the first argument."""
 
     shape: tuple[int | str | None, ...]
-    infinite: bool = False  # may be math.inf
+    infinite: bool = False  # whether math.inf is allowed
     columns: Sequence[Numbers] = field(default=(), compare=False)  # each a `Column`
     rates: Numbers = field(default=None, compare=False)  # the `OwnRates` of a motion
 
 
 @dataclass(frozen=True)
 class Group:
-    """A tuple of results; together they may be the columns of a motion."""
+    """A tuple of results, which together may have the columns of a motion."""
 
     members: tuple["Array | Group", ...]
     columns: Sequence[Numbers] = field(default=(), compare=False)
@@ -76,31 +76,31 @@ class Formula(Described):
 
 @dataclass(frozen=True)
 class Line:
-    """One line or scatter of a drawing: its points `(n, 2)`, its label, and what of it can be seen."""
+    """A line or scatter of a drawing: its points `(n, 2)`, its label, and how much of it can be seen."""
 
     points: np.ndarray
     label: str
     scatter: bool
     shows: float = 1.0  # share of the points that leave ink on the paper
-    tolerance: float = 1.0  # share of them within the limits of the axes
-    extent: float = 1.0  # on paper, as a share of the figure
+    tolerance: float = 1.0  # share of the points within the limits of the axes
+    extent: float = 1.0  # on paper, relative to the figure
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """What a plot function drew on its Axes; in `returns`, the instance `drawing` promises one."""
+    """What a plot function drew on its Axes; in `returns`, the instance `drawing` is the specification."""
 
     lines: tuple[Line, ...] = ()
     xlabel: str = ""
     ylabel: str = ""
     labels_show: tuple[bool, bool] = (True, True)
-    scales: tuple[float, float] = (1.0, 1.0)  # lengths on paper of a unit of x to the right and of y up
-    bent: float = 0.0  # how unevenly units follow one another, as a share of the axes
+    scales: tuple[float, float] = (1.0, 1.0)  # lengths on paper of a unit of x, to the right, and of y, upwards
+    bent: float = 0.0  # deviation of the axes from linear ones, relative to their length
 
 
 @dataclass(frozen=True)
 class Arrow:
-    """A force of a free body diagram: where it acts, and along which vector; None where no component is known."""
+    """A force of a free body diagram: its point, and a vector along it; None if no component is known."""
 
     point: np.ndarray
     direction: np.ndarray | None
@@ -108,7 +108,7 @@ class Arrow:
 
 @dataclass(frozen=True)
 class FreeBodyDiagram:
-    """A list of pairs (point, direction) in so many dimensions; the result is a tuple of `Arrow`."""
+    """A list of pairs (point, direction) in `dimension` dimensions; the result is a tuple of `Arrow`."""
 
     dimension: int
 
@@ -125,7 +125,7 @@ def array(*shape: int | str | None, infinite: bool = False, columns: Sequence[Nu
 
 
 def rows(*shape: int, columns: Sequence[Numbers] = (), rates: Numbers = None) -> Array:
-    """One row for each element of the first argument: `(n, *shape)`."""
+    """Describe an array with one row for each element of the first argument: `(n, *shape)`."""
     return Array(("n", *shape), columns=columns, rates=rates)
 
 
@@ -135,7 +135,7 @@ def group(*members: Array | Group, columns: Sequence[Numbers] = (), rates: Numbe
 
 
 def formula(*symbols: str) -> Formula:
-    """Describe an expression of SymPy in these symbols."""
+    """Describe a SymPy expression in these symbols."""
     return Formula(symbols)
 
 
@@ -153,7 +153,7 @@ def form(returns: ReturnSpec) -> Form:
 
 
 def result(returns: ReturnSpec, value: object, name: str, call: Case) -> Numbers:
-    """Return the student's result as `conform` does, the forces of a diagram as arrows; else Failed."""
+    """Return the student's result as `conform` does, a diagram's forces as arrows; raise Failed for a wrong form."""
     try:
         numbers = conform(form(returns), value, name, call.args)
     except WrongForm as wrong:
@@ -162,7 +162,7 @@ def result(returns: ReturnSpec, value: object, name: str, call: Case) -> Numbers
 
 
 def results_alike(returns: ReturnSpec, values: Sequence[Numbers]) -> list[Numbers] | None:
-    """Return the results of several calls, as `result` makes each; None where one may not be as promised."""
+    """Return the results of several calls, each as by `result`; None if one may have a wrong form."""
     if isinstance(returns, Group):
         if not all(is_sequence(value) and len(value) == len(returns.members) for value in values):
             return None

@@ -1,12 +1,12 @@
-"""What is graded by hand: `rubric.toml` of an assignment, which students read too.
+"""Parts that are graded by hand, from `rubric.toml` of an assignment, which students read too.
 
     [parts.b]
     asks = "your guess before the work, and why the limit has the shape that it has"
     before = "Sketch the path before you compute anything."  # asked above the picture, without points
-    prompt = "**My guess:**"  # how the answer's cell begins
+    prompt = "**My guess:**"  # first words of the answer's cell
     claims = [[0.5, "A guess is written down and stays as it was."], [1.5, "..."]]
 
-The points of a part are those of its claims. A claim says what an answer shows, not what it is.
+The points of a part are the sum over its claims. A claim says what an answer must show, not the answer itself.
 """
 
 from collections.abc import Mapping
@@ -33,17 +33,17 @@ class ManualPart:
 
     @property
     def worth(self) -> str:
-        """Its points in words: "1 point", "1.5 points"."""
+        """The points in words: "1 point", "1.5 points"."""
         return f"{self.points:g} point{'s' * (self.points != 1)}"
 
     @property
     def line(self) -> str:
-        """Its claims on one line: "0.5 gives a reason; 1 draws it"."""
+        """The claims on one line: "0.5 gives a reason; 1 draws it"."""
         return "; ".join(f"{points:g} {claim}" for points, claim in self.claims)
 
 
 def load_rubric(released: Path) -> dict[str, ManualPart]:
-    """Return the parts graded by hand, by letter; KeyError or TypeError where the file has another form."""
+    """Return the parts graded by hand, by letter; raise KeyError or TypeError if the file has another form."""
     path = released / FILE
     if not path.exists():
         return {}
@@ -62,7 +62,7 @@ def rubric_table(part: ManualPart) -> str:
 
 
 def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
-    """Return a README whose last section is the rubric."""
+    """Return a README with the rubric as its last section."""
     sections = [
         f"**Part ({letter})**, {part.worth}: {part.asks}.\n\n{rubric_table(part)}" for letter, part in rubric.items()
     ]
@@ -71,5 +71,5 @@ def with_rubric(readme: str, rubric: Mapping[str, ManualPart]) -> str:
 
 
 def without_rubric(readme: str) -> str:
-    """Return a README up to its rubric."""
+    """Return a README without its rubric."""
     return readme.partition(HEADING)[0].rstrip()

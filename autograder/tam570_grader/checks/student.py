@@ -1,4 +1,4 @@
-"""What a check is given: the student's functions, each call of which is made in the sandbox."""
+"""The student's functions as checks see them; each call is made in the sandbox."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Protocol
@@ -16,9 +16,9 @@ class StudentFunction(Protocol):
     @property
     def name(self) -> str: ...
     @property
-    def returns(self) -> Any: ...  # what `Assignment.returns` says of it
+    def returns(self) -> Any: ...  # its specification in `Assignment.returns`
     @property
-    def student(self) -> Any: ...  # whose other functions are its attributes
+    def student(self) -> Any: ...  # has the other functions as attributes
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Numbers: ...
 

@@ -1,4 +1,4 @@
-"""The times of simulations: uneven ones for every check, and cases that follow one another."""
+"""Times of simulations: uneven ones for every check, and calls that follow one another."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -7,14 +7,14 @@ from tam570.values import Numbers
 from tam570_grader.checks.case import Case
 
 Array = NDArray[np.float64]
-# kind: of an array of times, what a closed form must take, too
+# label: selection from an array of times, which a closed form must accept, too
 SOME_TIMES = {"a single time": slice(-1, None), "times in descending order": slice(None, None, -1)}
 
 KEPT = "Is anything kept between calls?"
 
 
 def uneven(rng: np.random.Generator, span: float, count: int, start: float | None = None) -> Array:
-    """Return `count` times of uneven spacing over a span, from `start`, or from anywhere but zero."""
+    """Return `count` unevenly spaced times over a span, from `start`, by default a random time other than zero."""
     steps = np.append(0.0, np.cumsum(rng.uniform(0.2, 1.8, count - 1)))
     if start is None:
         start = span * rng.uniform(0.3, 0.6) * rng.choice([-1, 1])
@@ -24,10 +24,10 @@ def uneven(rng: np.random.Generator, span: float, count: int, start: float | Non
 def repeated_calls(rng: np.random.Generator, case: Case, *, start: Numbers = None, **parameters: Numbers) -> list[Case]:
     """Return the simulation of a case at other times, from another start, and with other parameters.
 
-    The times have the same first and last. The case itself must be asked before: nothing may be kept.
+    The first and last of three or more times stay. Call the case itself first: results kept between calls then show.
 
-    start : the other arguments behind t, where a random change is not allowed
-    parameters : other values, None for no other
+    start : the other arguments behind t, if random changes are not allowed
+    parameters : other values; None keeps the value of the case
     """
     t, *arguments = case.args
     times = t[0] + (t - t[0]) ** 2 / (t[-1] - t[0])
@@ -41,7 +41,7 @@ def repeated_calls(rng: np.random.Generator, case: Case, *, start: Numbers = Non
 
 
 def _other(rng: np.random.Generator, value: Numbers) -> Numbers:
-    """Return a value that differs: of several numbers only the first, for what grows alike may change nothing."""
+    """Return a changed value; change only the first of several numbers, because a common factor may change nothing."""
     if isinstance(value, str):
         return None
     factor = rng.uniform(1.2, 1.5)

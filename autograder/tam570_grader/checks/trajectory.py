@@ -1,4 +1,4 @@
-"""A simulated motion against the right one: what is compared, and what a wrong one is called."""
+"""Compare a simulated motion with the reference, and diagnose a wrong one."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -38,38 +38,38 @@ from tam570_grader.checks.returns import Formula
 from tam570_grader.checks.student import StudentFunction
 
 Array = NDArray[np.float64]
-# Right physics at a loose tolerance keeps these shares of the points at these errors (of the scale), and in proportion
-# to the logarithm of the error between them and ten limits, so that no grade leaps with the seed.
-ASKED = 4  # rows of a motion, at which the rates are asked
-SETTING_OFF = 1e-3  # of the first step of a motion that breaks off
+ASKED = 4  # rows of a motion at which the rates are evaluated
+SETTING_OFF = 1e-3  # of the first time step, for a motion that breaks off
 TIGHTEN = "Use a tighter tolerance, or a smaller step"
+# Shares of the points for right physics at a loose tolerance, by its error (of the scale). From NEAR_MISS tolerances on
+# they are interpolated in the logarithm of the error, so that no grade jumps with the seed.
 LOOSE_SHARES = {1e-3: 0.5, ROUGHLY: 0.25}
 
 
 @dataclass(frozen=True)
 class Invariant:
-    """What every right motion keeps: value(rows, **parameters) -> (n, ...), and the scale of its drift."""
+    """A quantity that right motions conserve: value(rows, **parameters) -> (n, ...), and the scale of its drift."""
 
     quantity: str  # "the energy"
     unit: str
     value: Callable[..., Array]
-    scale: Callable[[Case, Array], float] | None  # scale(case, right rows); None: its value at the start, in size
+    scale: Callable[[Case, Array], float] | None  # scale(case, expected rows); None: norm of the value at the start
     tolerance: float
 
     def size(self, case: Case, rows: Array) -> float:
-        """Return what its drift is relative to; 1 where that is zero."""
+        """Return the scale of its drift; 1 if that is zero."""
         start = self.scale(case, rows) if self.scale else np.linalg.norm(self.value(rows[:1], **case.kwargs))
         return float(start) or 1.0
 
 
 @dataclass(frozen=True)
 class OwnRates:
-    """The student's function of the rates in a simulated motion, which may be right where the motion is wrong.
+    """The student's function of the rates in a simulated motion; it may be right although the motion is wrong.
 
-    name : of the function, or of its formula, in the symbols of these arguments and of the parameters, in order
-    arguments : (t, row) -> what the rates are asked for there, by default both; words of the motion's case follow
-    otherwise : others, from which the motion may follow as well
-    passes : the student's function of a state that each row may go through
+    name : of the function, or of a formula, whose symbols are these arguments and the parameters, in order
+    arguments : (t, row) -> arguments of the rates there, by default both; texts among the case's arguments follow
+    otherwise : other rates, from which the motion may follow as well
+    passes : the student's function of a state through which each row may have passed, such as a projection
     """
 
     name: str
@@ -79,14 +79,14 @@ class OwnRates:
     passes: str = ""
 
     def are_right(self, motion: ComparedMotion) -> bool:
-        """Return whether they are right at some rows of the right motion."""
+        """Return whether the rates are right at some rows of the right motion."""
         rows = list(zip(motion.t, motion.expected, strict=True))[:: max(1, len(motion.t) // ASKED)]
         return is_right(self._function(motion), self.reference, [self._case(motion, t, row) for t, row in rows])
 
     def source(self, motion: ComparedMotion, *, ends: bool = True) -> str:
-        """Return the student's wrong function from which the motion follows; else nothing.
+        """Return FollowsFrom the student's wrong function from which the motion follows; else an empty text.
 
-        ends : False of a motion without rows
+        ends : False for a motion without rows
         """
         student_rates, back = self._function(motion), partial(self._back, motion) if self.passes else None
         t = motion.t[:2] if ends else motion.t[0] + SETTING_OFF * np.array([0, motion.t[1] - motion.t[0]])
@@ -104,7 +104,7 @@ class OwnRates:
         return self.otherwise.source(motion, ends=ends) if self.otherwise else ""
 
     def _is_led_astray(self, motion: ComparedMotion) -> bool:
-        """Return whether the rates are right, and what each row may go through is wrong beside the right motion."""
+        """Return whether the rates are right, but `passes` is wrong for states beside the right motion."""
         function = getattr(motion.function.student, self.passes)
         beside = [Case(row + row[::-1] / 10, **motion.case.kwargs) for row in motion.expected[:ASKED]]
         return self.are_right(motion) and sets_off(motion) and not is_right(function, self.reference, beside)
@@ -114,7 +114,7 @@ class OwnRates:
         return own_result(function, self.reference, Case(row, **motion.case.kwargs))
 
     def hint(self, motion: ComparedMotion) -> str:
-        """Say where to look."""
+        """Return where to look."""
         if self.are_right(motion):
             return f"{self.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
@@ -145,27 +145,27 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     loose_tolerance_credit: bool = True,
     chaotic: bool = False,
 ) -> list[ComparedMotion]:
-    """Fail unless the student's simulation follows the right motion in every case; the motions, for further checks.
+    """Fail unless the student's simulation follows the reference in every case; return the motions for further checks.
 
-    reference : reference(t, *start, **parameters) -> rows, or several arrays of them; or the module, as for `compare`
-    columns : left out, as `Assignment.returns` has them
-    tolerance : of the scale of each column
-    hint    : where to look, or a function of the motion that says it, if the rows themselves tell nothing
-    keeps   : an invariant whose course the student's page draws beside the error
-    restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, cut as these are
-    near_miss_credit : False where an error of a few limits is no sign that the physics is right
-    loose_tolerance_credit : False where wrong physics nearly obeys the equations: a tenth of an error is no sign
-    chaotic : a motion in which each row leads to the next has followed, too, however far its errors have grown
+    reference : reference(t, *start, **parameters) -> rows, or several arrays of them; or a module, as for `compare`
+    columns : default: those in `Assignment.returns`
+    tolerance : largest error relative to the scale of each column
+    hint    : where to look, or a function of the motion that returns it, if the rows do not show the mistake
+    keeps   : an invariant that the student's page plots beside the error
+    restart : restart(row) -> the arguments behind t that begin the motion there; default: the row, split like these
+    near_miss_credit : False if an error of a few tolerances is no sign that the physics is right
+    loose_tolerance_credit : False if wrong physics nearly obeys the equations, so that a small error proves nothing
+    chaotic : accept a motion in which each row leads to the next, however far its errors have grown
     """
     columns = columns or function.returns.columns
-    # no share is left, whatever the other motions are
+    # a larger error leaves no share, whatever the other motions are
     hopeless = np.inf if chaotic else max(ROUGHLY, NEAR_MISS * tolerance)
     motions = _motions(function, reference, cases, columns, restart, hopeless)
     if not get_context().listens and max(motion.error for motion in motions) <= tolerance:
         return motions
     width = motions[0].expected.shape[1]
     turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
-    # the worst first; of those beyond hope the longest, of which there is most to draw
+    # the worst first; if no share is left, the longest first, whose curve shows most
     order, near_miss = partial(_telling, tolerance), NEAR_MISS * tolerance if near_miss_credit else 0.0
     for motion in sorted(motions, key=order, reverse=True):
         if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
@@ -173,7 +173,7 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
         get_context().set_call(function.name, motion.case)
         if not chaotic:
             _note(motion, columns, tolerance)
-        # the column that is off most, in its own unit
+        # the column with the largest error, in its own unit
         column = max(columns, key=lambda column: np.max(motion.errors[:, column.where], initial=0.0))
         size = float(np.max(motion.scales[column.where]))
         has_shares = near_miss_credit and loose_tolerance_credit
@@ -201,9 +201,9 @@ def check_conserved(
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
 ) -> None:
-    """Fail unless invariants keep their values at the start along motions that are followed coarsely.
+    """Fail unless invariants keep their initial values along motions that follow the reference coarsely.
 
-    coarsely : of the scale of each column; where errors grow fast, it is enough that each row leads to the next
+    coarsely : tolerance relative to the scale of each column; if errors grow fast, rows that lead to the next suffice
     """
     motions = compare_trajectory(
         function, reference, cases, tolerance=coarsely, hint=hint, near_miss_credit=False, chaotic=True
@@ -218,7 +218,7 @@ def compare_invariants(
     partial: dict[float, float] | None = None,
     hint: str = TIGHTEN,
 ) -> None:
-    """Fail unless invariants keep their values at the start along a student's motions."""
+    """Fail unless invariants keep their initial values along a student's motions."""
     for invariant, motion in product(invariants, motions):
         case = motion.case
         start = invariant.value(motion.expected[:1], **case.kwargs)
@@ -244,7 +244,7 @@ def _motions(
     restart: Restart | None,
     hopeless: float,
 ) -> list[ComparedMotion]:
-    """Return the student's motions, the longest first; where its error is hopeless, the others are not asked for."""
+    """Return the student's motions, the longest first; only this one if its error is hopeless."""
     motions, true = list[ComparedMotion](), find_reference(reference, function)
     first, *rest = sorted(cases, key=lambda case: -len(case.args[0]))
     for some in filter(None, ([first], rest)):
@@ -254,7 +254,7 @@ def _motions(
             compared = batch.compared(function, batch.results(function))
         except Failed as failed:
             case, rates = failed.failure.at, function.returns.rates
-            # arrays have no one truth; of a function that was given up the case is another
+            # `is`: arrays cannot be compared by ==. If the function is no longer called, the case is an earlier one.
             number = next((index for index, other in enumerate(batch.cases) if other is case), 0)
             if rates:
                 expected, scales = scaled_rows()[1][number]
@@ -271,10 +271,10 @@ def _motions(
 
 
 def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Column], list[tuple[Array, Array]]]:
-    """Return the right rows of each case and their scales; with the columns, by which they are remembered."""
+    """Return the columns, so that their ids in the cache key stay in use, and each case's expected rows and scales."""
     scaled_rows = []
     for case, expected in zip(batch.cases, map(flat, batch.expected), strict=True):
-        scales = np.ones(expected.shape[1])  # where all is zero
+        scales = np.ones(expected.shape[1])  # of columns that `columns` does not describe
         for column in columns:
             scales[column.where] = column.size(case, expected)
         scaled_rows.append((expected, scales))
@@ -282,7 +282,7 @@ def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Colu
 
 
 def _note(motion: ComparedMotion, columns: Sequence[Column], tolerance: float) -> None:
-    """Note what each column is compared with, for the examples that students have."""
+    """Add what each column is compared with to the examples that students have."""
     for column in columns:
         where = np.arange(motion.expected.shape[1])[column.where].tolist()
         scale = float(np.max(motion.scales[where]))
@@ -296,7 +296,7 @@ def _telling(tolerance: float, motion: ComparedMotion) -> tuple[bool, int, float
 
 
 def loose_tolerance_share(motion: ComparedMotion, tolerance: float, size: float, error: float) -> float:
-    """Right physics at a loose tolerance keeps a share that falls with the error; a NaN keeps nothing."""
+    """Return the share for right physics at a loose tolerance, which falls with the error; 0 for NaN."""
     if not (error <= ROUGHLY * size and obeys(motion)):
         return 0.0
     shares = {NEAR_MISS * tolerance: NEAR_MISS_SHARE} | {
@@ -324,7 +324,7 @@ def _hint(
 
 
 def _along(invariant: Invariant, motion: ComparedMotion) -> Curve | None:
-    """Return what becomes of a number that the right motion keeps, along the student's, from its first value on."""
+    """Return the curve of an invariant along the student's motion, relative to its first value."""
     values = invariant.value(motion.actual, **motion.case.kwargs) / invariant.size(motion.case, motion.expected)
     words: Json = {"tolerance": invariant.tolerance, "quantity": invariant.quantity, "unit": invariant.unit}
     return curve(motion.case.args[0], values, np.broadcast_to(values[:1], values.shape), 1.0, **words)
