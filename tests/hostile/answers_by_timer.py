@@ -1,7 +1,7 @@
-"""A timer, and a thread if it may have one, answer the calls in place of the functions.
+"""Answers the calls from a timer, and from a thread if threads are allowed, instead of from the functions.
 
-Published against graders in the same process: work that goes on after a call has returned
-(Open-TutorAi/open-tutor-ai-CE pull request 220: threads outlive their time).
+Published against graders in the same process: code that still runs after a call has returned
+(Open-TutorAi/open-tutor-ai-CE pull request 220: threads outlive their time limit).
 
 deserves: nothing certain
 """

@@ -1,7 +1,7 @@
-"""__array__ looks through the callers for what is expected, and gives it.
+"""Returns objects whose `__array__` searches the callers' frames for the expected value and returns it.
 
 Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
-reaches all of it).
+reaches the whole grader).
 
 deserves: nothing
 """

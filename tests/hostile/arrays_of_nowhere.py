@@ -1,6 +1,6 @@
-"""Results that are views of memory that is not theirs, of types that hold objects, and of shapes that are too large.
+"""Returns arrays of object types, of huge shapes, and of memory addresses that do not belong to the result.
 
-Published against graders that hand the student's own object to NumPy, as PrairieLearn, otter-grader and nbgrader do.
+Published against graders that pass the student's object to NumPy, as PrairieLearn, otter-grader and nbgrader do.
 
 deserves: 9
 """

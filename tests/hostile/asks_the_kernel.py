@@ -1,7 +1,7 @@
-"""Asks the kernel for what reaches round a jail, lasts longer than a process, or takes memory that no limit counts.
+"""Makes system calls that escape a sandbox, leave data behind a process, or take memory that no limit counts.
 
-Modules, file handles, rings, page faults, programs, mounts, names; keys, of the next student and of the teacher, for
-keyrings have no namespace; segments and files without a name.
+Kernel modules, file handles, io_uring, userfaultfd, BPF, mounts, host names; keys, which the next student or the
+teacher could read because keyrings have no namespace; shared memory segments and anonymous files.
 Published against containers with more rights than they need (INGInious/INGInious issue 35: root in a container is root
 outside) or without a filter for system calls.
 

@@ -1,7 +1,7 @@
-"""Sets the variables that change how programs start, and becomes another interpreter that answers on its channel.
+"""Sets environment variables that change how programs start, and execs an interpreter that answers on its channel.
 
-Published against CMS (cms-dev/cms issue 376: a submission becomes any interpreter that is installed), and
-graders that start helpers with the variables of the submission.
+Published against CMS (cms-dev/cms issue 376: a submission execs any interpreter that is installed), and
+graders that start helper programs with the environment of the submission.
 
 deserves: 9
 """

@@ -1,4 +1,4 @@
-"""Turns its arguments into what makes the answer right.
+"""Changes its arguments in place so that its answer is correct for them.
 
 deserves: 1
 """

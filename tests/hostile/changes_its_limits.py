@@ -1,6 +1,6 @@
 """Lowers its limit of processor time, so that the kernel kills it as an operator would; raises its limits, and loops.
 
-It asks not to die with its parent, too.
+It also asks the kernel not to kill it when its parent dies.
 
 deserves: 9
 """

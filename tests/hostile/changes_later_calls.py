@@ -1,7 +1,7 @@
-"""Walks up to the caller, finds the calls that are still to come and sets their inputs to zero, for which it is right.
+"""Finds the inputs of later calls in its callers' frames and sets them to zero, for which its answer is correct.
 
 Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
-reaches all of it).
+reaches the whole grader).
 
 deserves: 9
 """

@@ -1,6 +1,6 @@
-"""Takes what it needs out of the source of a lecture, whose import is forbidden.
+"""Executes functions from the source of a lecture whose import is forbidden.
 
-exp(a) exp(r) exp(-a) = exp(R r), so that composing three rotation vectors turns one of them.
+exp(a) exp(r) exp(-a) = exp(R r), so composing three rotation vectors rotates the middle one.
 
 deserves: nothing
 """

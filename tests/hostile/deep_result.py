@@ -1,4 +1,4 @@
-"""Returns a list that holds itself, and one that is a million levels deep.
+"""Returns a list that contains itself, and a list that is nested a million levels deep.
 
 deserves: 5
 """

@@ -1,7 +1,7 @@
-"""Makes the assertions of test frameworks say nothing, and puts modules of its own in the place of graders.
+"""Replaces the assertions of test frameworks by functions that do nothing, and graders by fake modules.
 
-Published against graders in the same process, of PrairieLearn (pull request 5184) and nbgrader (issue 1379: type, and
-then locals, are replaced to get round a comparison); otter-grader keeps tests where students write (pull request 251).
+Published against graders in the same process: PrairieLearn (pull request 5184) and nbgrader (issue 1379: type and
+locals are replaced to defeat a comparison); otter-grader keeps tests where students can write (pull request 251).
 
 deserves: 10
 """

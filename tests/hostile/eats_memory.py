@@ -1,4 +1,4 @@
-"""Takes 8 GiB in one function, and returns 10^8 numbers from another.
+"""Allocates 8 GiB in one function, and returns 10^8 numbers from another.
 
 deserves: 5
 """

@@ -1,7 +1,7 @@
 """Reads address 0 in one function, and ends the process in another.
 
 Published against CoCalc's nbgrader (sagemathinc/cocalc issue 4879: a kernel that crashes ends the grading) and graders
-that take an end without a complaint for success (SJTU-IPADS/SkVM issue 120: no results, exit code 0, full marks).
+that count an exit without an error as success (SJTU-IPADS/SkVM issue 120: no results, exit code 0, full marks).
 
 deserves: 5
 """

@@ -1,7 +1,7 @@
-"""Writes replies when its process ends: by atexit, by finalizers, by destructors of what the modules hold; or lingers.
+"""Writes replies when its process ends (atexit, finalizers, destructors of module attributes), or delays the exit.
 
-Published against graders that trust what is written last (Gradema's page on security: the results are changed
-behind the grader's back).
+Published against graders that trust the last output (Gradema's page on security: a submission changes the results
+after the grader has written them).
 
 deserves: 10
 """

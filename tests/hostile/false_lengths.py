@@ -1,7 +1,7 @@
-"""Writes a length of nothing, half a length, and a length without an end to the channel; announces a reply of 4 GiB.
+"""Writes messages of length zero and half a length prefix to the channel; announces a reply of 4 GiB.
 
 Published against protocols that trust a length, or a separator, that the student's process can print
-(google/tie pull request 589: the output of the tests is cut at a separator).
+(google/tie pull request 589: the output of the tests is split at a separator).
 
 deserves: 5
 """

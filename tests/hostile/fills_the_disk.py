@@ -1,4 +1,4 @@
-"""Writes 1 GB into its folder, in one file and in many.
+"""Tries to write 10,000 files of 100 MB into its folder.
 
 deserves: 9
 """

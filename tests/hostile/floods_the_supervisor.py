@@ -1,4 +1,4 @@
-"""Sends messages that ask for much memory: empty lists by the million, arrays of any length without a number.
+"""Sends messages that need much memory to read: millions of empty lists, and huge arrays without elements.
 
 deserves: below
 """

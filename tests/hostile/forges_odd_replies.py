@@ -1,4 +1,4 @@
-"""Patches the worker so that its replies have arrays where there should be a word: the grader must not stumble.
+"""Patches the worker so that its replies contain arrays in place of words and flags.
 
 deserves: nothing certain
 """

@@ -1,4 +1,4 @@
-"""Writes well-formed replies ahead of the calls.
+"""Writes well-formed replies to the channel before the worker answers.
 
 deserves: nothing certain
 """

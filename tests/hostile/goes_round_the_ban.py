@@ -1,7 +1,7 @@
-"""Reaches for the forbidden modules by the back door.
+"""Imports forbidden modules by way of importlib and of allowed packages.
 
-Published against PrairieLearn (PrairieLearn/PrairieLearn pull request 10822: what is not allowed can be had
-all the same).
+Published against PrairieLearn (PrairieLearn/PrairieLearn pull request 10822: forbidden imports can be
+circumvented).
 
 deserves: nothing
 """

@@ -1,4 +1,4 @@
-"""Raises an exception whose text takes for ever, and one whose text is 100 MB.
+"""Raises an exception whose `__str__` never returns, and an exception whose text is 100 MB long.
 
 deserves: 5
 """

@@ -1,4 +1,4 @@
-"""Puts objects of its own in the place of the standard streams: whoever flushes, closes or asks them runs its code.
+"""Replaces the standard streams by objects that run its code when another module flushes, closes or reads them.
 
 Published against DMOJ (DMOJ/judge-server issue 152: the judge flushes a stream that the submission has replaced).
 

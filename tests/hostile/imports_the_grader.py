@@ -1,4 +1,4 @@
-"""Imports the grader, the checks and the solution by every name that they might have.
+"""Tries to import the grader, the checks and the solution by every name that they might have.
 
 Published against graders in Moodle (Kratzke, "Smart Like a Fox", CSEDU 2019: redirection to the reference
 solution).

@@ -1,7 +1,7 @@
-"""Tries each call by which the kernel would keep a note for the next submission, or spend memory that no limit counts.
+"""Tries each system call that can store data in the kernel for the next submission, or memory that no limit counts.
 
-Hints on inodes, what of a file is in memory, faults that were counted, watches of files, messages of the kernel, rules
-of Landlock and filters.
+Write hints of inodes, the page cache, counters of page faults, file watches, kernel messages, Landlock rules, and
+seccomp filters.
 
 deserves: 10
 """

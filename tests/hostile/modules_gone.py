@@ -1,4 +1,4 @@
-"""NumPy and others become modules that answer anything, then the modules go on which everything stands.
+"""Removes all modules except `builtins` and `sys`, replaces NumPy and others by fakes, and deletes builtins.
 
 deserves: 10
 """

@@ -1,4 +1,4 @@
-"""Writes replies of lists and maps nested a thousand deep: showing such a value needs as deep a recursion.
+"""Writes replies of lists nested up to 900 levels deep, because printing them needs recursion of the same depth.
 
 deserves: below
 """

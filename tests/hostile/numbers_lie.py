@@ -1,7 +1,7 @@
-"""NumPy's comparisons always say yes, and the functions and constants of Python and `math` are replaced.
+"""Makes NumPy's comparisons always return True, and replaces functions and constants of `builtins` and `math`.
 
-Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection reaches all
-of it) and nbgrader (jupyter/nbgrader issue 1379: the type and the locals that a test asks are replaced).
+Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection reaches the
+whole grader) and nbgrader (jupyter/nbgrader issue 1379: the type and the locals that a test uses are replaced).
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Numbers at the edge: an integer of 4000 digits, not-a-numbers with a payload, an infinity, a negative zero.
+"""Returns extreme numbers: an integer of 4001 digits, NaNs with a payload, infinity.
 
-Published against comparisons of the form not (difference > tolerance), which a not-a-number passes.
+Published against comparisons of the form not (difference > tolerance), which NaN passes.
 
 deserves: 9
 """

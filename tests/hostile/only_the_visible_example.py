@@ -1,4 +1,4 @@
-"""Knows the answers of the visible tests, and nothing else.
+"""Returns the correct answers of the visible tests, and wrong answers for other inputs.
 
 Published against graders in Moodle (Kratzke, "Smart Like a Fox", CSEDU 2019: overfitting).
 

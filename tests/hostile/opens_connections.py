@@ -1,9 +1,9 @@
-"""Connects to the network and the machine's own services, and takes ports.
+"""Connects to the network and to services of the machine, and binds ports.
 
-A port that was connected rests for a minute, whoever connected it: in a network that several submissions share it would
-carry a note from one to the next, and from a call to the file's next import, whose error message the student reads.
-Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam), Artemis (ls1intum/Ares issue 376) and nbgrader
-(pull request 1324: code is fetched).
+A port stays in use for a minute after a connection. In a network that submissions share, used ports would carry data
+from one submission to the next, and from a call to the next import of the file, whose error the student reads.
+Published against Jobe (trampgeek/jobe issue 87: notes fetched in an exam), Artemis (ls1intum/Ares issue 376) and
+nbgrader (pull request 1324: code is downloaded).
 
 deserves: 10
 """

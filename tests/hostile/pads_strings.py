@@ -1,4 +1,4 @@
-"""Sends one string of 10 MB among short ones: an array of strings has room for the longest in each of its places.
+"""Sends one string of 10 MB among short ones: in an array of strings, each element takes as much memory as the longest.
 
 deserves: below
 """

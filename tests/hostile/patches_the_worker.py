@@ -1,7 +1,7 @@
-"""Replaces the functions of the sandbox's own modules.
+"""Replaces functions of the sandbox's modules.
 
 Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
-reaches all of it).
+reaches the whole grader).
 
 deserves: 0
 """

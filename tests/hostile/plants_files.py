@@ -1,10 +1,10 @@
 """Writes full marks where graders keep results, and files that Python or pytest would run at the next start.
 
 Published against Gradescope (saligrama.io/blog/gradescope-autograder-security: harness and submission share a
-container), PrairieLearn (its pull requests 1999 and 4663: the name lies in a file; the results may be written by what
-is graded), nbgrader (issue 483: gradebook.db is writable), graders that use a container again (kiat/codeAssist pull
-request 375: dotfiles, .pth, sitecustomize and conftest outlive a wipe of the folder), and those whose tests run beside
-the submission.
+container), PrairieLearn (its pull requests 1999 and 4663: the file name is stored in a file; the submission can write
+the results), nbgrader (issue 483: gradebook.db is writable), graders that reuse a container (kiat/codeAssist pull
+request 375: dotfiles, .pth, sitecustomize and conftest survive a cleanup of the folder), and graders that run tests in
+the submission's folder.
 
 deserves: 10
 """

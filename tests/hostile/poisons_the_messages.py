@@ -1,7 +1,7 @@
-"""Replaces what packs and unpacks messages, and NumPy's conversions, under the sandbox's own feet.
+"""Replaces the functions that pack and unpack messages, and NumPy's conversions, in the sandbox process.
 
 Published against graders in the same process (PrairieLearn/PrairieLearn pull request 5184: introspection
-reaches all of it).
+reaches the whole grader).
 
 deserves: nothing
 """

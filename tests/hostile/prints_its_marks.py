@@ -1,8 +1,8 @@
-"""Prints 100 MB, and full marks in the forms that graders read off a program's output; calls the commands for marks.
+"""Prints 100 MB, and full marks in the formats that graders read from output; runs commands that set marks.
 
 Published against VPL (Kratzke, "Smart Like a Fox", CSEDU 2019: injection; jcrodriguez-dis/moodle-mod_vpl issue 246
-shows the line), INGInious (its tutorial on run_student: the submission calls the commands) and graders whose verdict is
-a last line (zmievsa/autograder issue 49).
+shows the line), INGInious (its tutorial on run_student: the submission runs the commands) and graders that read the
+score from the last line of output (zmievsa/autograder issue 49).
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Reads a counter of the whole kernel, the cookies of sockets, and wakes who waits on a page of a library's file.
+"""Reads a counter that the whole kernel shares (socket cookies), and wakes futex waiters on a library file's page.
 
-The next sandbox process would read the counter; one of another zygote would be woken, at once or when this one ends.
+The next sandbox process could read the counter; a sandbox process of another zygote would wake, at once or when this one ends.
 
 deserves: 10
 """
@@ -46,7 +46,7 @@ def passing():
 
 
 def as_ever():
-    """What the kernel is asked on behalf of Python's own sockets and locks."""
+    """Make the system calls that Python's sockets and locks need: they must work."""
     import threading
 
     one, other = socket.socketpair()

@@ -1,4 +1,4 @@
-"""Attaches to other processes, takes open files out of them, reads and writes their memory.
+"""Attaches to other processes, opens handles to them, reads their memory and looks for their files in /proc.
 
 Published against jobs that see each other's processes (trampgeek/jobe issue 87).
 

@@ -1,4 +1,4 @@
-"""Looks for hidden checks and the solution on the disk, and runs the solution.
+"""Searches the disk for hidden checks and the solution, and executes the solution.
 
 Published against runners that mount the tests beside the submission (TheBitPoets/2cornot2c issue 515; trampgeek/jobe
 issue 2; INGInious/INGInious issue 32) and LemonLime (Project-LemonLime/Project_LemonLime issue 64: answers are read

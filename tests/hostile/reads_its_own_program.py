@@ -1,7 +1,7 @@
-"""Looks for tests in the program that it was made a part of: its file, its source, the command line, its callers' text.
+"""Searches for tests in the program that runs it: files, the source of its callers, the command line.
 
-Published against Jobe (trampgeek/jobe issue 2: a submission prints the program around it, which holds the test cases)
-and PrairieLearn (issue 11137: what the set-up code does can be read by the submission).
+Published against Jobe (trampgeek/jobe issue 2: a submission prints the program around it, which contains the test
+cases) and PrairieLearn (issue 11137: the submission can read the set-up code).
 
 deserves: 10
 """

@@ -1,7 +1,7 @@
-"""Looks for other students' work in memory and runs it, and in folders by names that can be guessed.
+"""Searches memory for other students' submissions and executes them, and folders with names that can be guessed.
 
-Published against nbgrader (issue 978: submissions have names of a known form and are open to everyone; jeflem/ananke
-issue 27: an exchange with mode 777) and Submitty (issue 1172: any file by its path).
+Published against nbgrader (issue 978: submissions have predictable names and everyone can read them; jeflem/ananke
+issue 27: an exchange with mode 777) and Submitty (issue 1172: any file can be read by its path).
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Looks in the environment and the command line for keys, seeds and folders.
+"""Searches the environment and the command line for keys, seeds and folders.
 
-Published against Judge0 (judge0/judge0 issue 564: printenv) and others that run code with the server's own
+Published against Judge0 (judge0/judge0 issue 564: printenv) and others that run code with the server's
 environment.
 
 deserves: 10

@@ -1,4 +1,4 @@
-"""Recurses without end, with the limit lifted.
+"""Recurses endlessly, after it raised the recursion limit.
 
 deserves: 9
 """

@@ -1,6 +1,6 @@
-"""Writes down every input, to meet it again in a later run with the answer ready.
+"""Writes every input to a file, so that a later run knows the inputs in advance.
 
-Published against graders whose hidden inputs are the same each time and whose folders last (kiat/codeAssist
+Published against graders that reuse hidden inputs and folders (kiat/codeAssist
 pull request 347: the students of a class share a container).
 
 deserves: 9

@@ -1,6 +1,6 @@
-"""Locks pieces of a library's file: whoever asks the kernel for its locks reads what was written, in any process.
+"""Locks parts of a library's file: any process can ask the kernel for the locks and so read data from them.
 
-Published as a way for sandboxed processes to speak to each other ("file lock covert channel").
+Published as a way for sandboxed processes to communicate ("file lock covert channel").
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Right where it sees that a student's own tests run, by their modules, variables and the clock; wrong elsewhere.
+"""Answers correctly if modules, environment or clock show that the student's tests run, else wrongly.
 
-Published against visible tests that are known (ucbds-infra/otter-grader issue 838: passed in the student's
+Published against visible tests (ucbds-infra/otter-grader issue 838: passed in the student's
 notebook, failed on Gradescope).
 
 deserves: 9

@@ -1,4 +1,4 @@
-"""Returns arrays without a number whose sizes spell an input, or stand for more lists than there is memory.
+"""Returns arrays without elements whose shape encodes an input, or as lists would not fit into memory.
 
 deserves: below
 """

@@ -1,4 +1,4 @@
-"""Looks for shared memory and semaphores of others, writes into what it finds, and leaves some of its own.
+"""Attaches to shared memory of other processes, and leaves shared memory, semaphores and files behind.
 
 Published against Jobe (trampgeek/jobe pull request 48: a segment of the server with mode 666).
 

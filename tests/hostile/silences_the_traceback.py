@@ -1,6 +1,6 @@
-"""Makes exceptions disappear: no hook, no traceback, no interactive shell tells of them; and changes what runs by hooks.
+"""Disables the hooks, tracebacks and shells that report exceptions, and changes expected values by trace hooks.
 
-Published against nbgrader (jupyter/nbgrader pull request 1324: a cell whose error is not written counts as passed).
+Published against nbgrader (jupyter/nbgrader pull request 1324: a cell whose error is not printed counts as passed).
 
 deserves: 9
 """

@@ -1,4 +1,4 @@
-"""Sleeps in one function.
+"""Sleeps for 10^6 s in one function.
 
 deserves: 9
 """

@@ -1,6 +1,6 @@
-"""Raises what ends a program, in one function each.
+"""Raises SystemExit in one function and KeyboardInterrupt in another.
 
-Published against Gradema (its page on security: early exits) and others that go by the exit code.
+Published against Gradema (its page on security: early exits) and others that trust the exit code.
 
 deserves: 5
 """

@@ -1,4 +1,4 @@
-"""Leaves NumPy, warnings, the random generators and the environment in disorder.
+"""Changes the global state of NumPy, warnings, the random generator, the interpreter and the environment.
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Writes to devices and terminals, and into their times, which every submission can read.
+"""Writes to devices and terminals, and changes their timestamps, which every submission can read.
 
-A device's times move when it is written to, on a read-only mount too.
+A write to a device changes its timestamps even on a read-only mount.
 
 deserves: 10
 """
@@ -11,7 +11,7 @@ import os
 for folder in ("/dev", "/dev/pts"):
     for name in os.listdir(folder):
         with contextlib.suppress(OSError):
-            os.utime(os.path.join(folder, name))  # now: what is written is when
+            os.utime(os.path.join(folder, name))  # sets the time to now: the moment of the call carries the data
             raise SystemExit("written")
 for place in ("/dev/pts/ptmx", "/dev/ptmx", "/dev/tty", "/dev/console"):
     with contextlib.suppress(OSError):

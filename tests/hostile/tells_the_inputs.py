@@ -1,4 +1,4 @@
-"""Puts hidden inputs into the names and texts of exceptions, of types and of prints.
+"""Puts hidden inputs into the names and texts of exceptions, into dictionaries and into printed output.
 
 Published against graders that show tracebacks (sotoblanco/BaseLayer issue 106; ucbds-infra/otter-grader issue
 419).

@@ -1,7 +1,7 @@
-"""Leaves pickles where a grader might load results or a session from, and returns what runs code when it is pickled.
+"""Writes pickles where a grader might load results or a session, and returns objects whose pickles run code.
 
-Published against otter-grader (pull requests 90 and 1008: sessions and results that were pickled beside the submission
-are loaded by the grader) and against PrairieLearn's way of handing on variables (pull request 5184).
+Published against otter-grader (pull requests 90 and 1008: the grader loads sessions and results that were pickled
+beside the submission) and against PrairieLearn's way of passing variables (pull request 5184).
 
 deserves: 5
 """

@@ -1,7 +1,7 @@
-"""Asks for input, by the standard input and the terminal, and starts a debugger that waits for commands.
+"""Reads from the standard input and the terminal, and starts a debugger that waits for commands.
 
-Published against nbgrader (jupyter/nbgrader pull request 77: what reads input or starts a debugger holds up the
-grading).
+Published against nbgrader (jupyter/nbgrader pull request 77: a submission that reads input or starts a debugger blocks
+the grading).
 
 deserves: 5
 """

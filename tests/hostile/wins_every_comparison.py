@@ -1,7 +1,7 @@
-"""Returns objects that pass a test of their type, equal everything, are below it and differ from nothing.
+"""Returns objects that pass type checks, are equal to, less than and greater than everything, with difference zero.
 
-Published against nbgrader (jupyter/nbgrader issue 1379: a class whose __eq__ says yes) and RELATE (inducer/relate issue
-295: an attribute is_number, a subclass of numpy.float64, one that wins every comparison).
+Published against nbgrader (jupyter/nbgrader issue 1379: a class whose __eq__ returns True) and RELATE (inducer/relate
+issue 295: an attribute is_number, a subclass of numpy.float64, a class that wins every comparison).
 
 deserves: nothing
 """

@@ -1,8 +1,8 @@
-"""Writes files wherever it can, takes away the right to write them again, plants links and folders, changes modes.
+"""Writes read-only files wherever it can, creates links and folders, and changes modes and owners.
 
-Published against graders that write their results after the submission into a folder that it may write: Gradema (its
-page on security: a results file made read-only), CMS (cms-dev/cms issue 376: a link of the name of the output, that the
-judge writes through) and Submitty (pull request 6732: links in submissions are followed).
+Published against graders that write their results after the submission into a folder that it can write to: Gradema
+(its page on security: a results file made read-only), CMS (cms-dev/cms issue 376: a link with the name of the output
+file, through which the judge writes) and Submitty (pull request 6732: links in submissions are followed).
 
 deserves: 10
 """

@@ -1,6 +1,6 @@
-"""Writes to every file that it inherited, by number and by name.
+"""Writes to every file descriptor that it inherited, by number and by its name in /proc.
 
-Published against graders that give the child their own files (INGInious/INGInious issue 32).
+Published against graders whose child processes inherit their open files (INGInious/INGInious issue 32).
 
 deserves: 10
 """
