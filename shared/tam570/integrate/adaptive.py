@@ -1,4 +1,4 @@
-"""Runs of order 8 with automatic steps, stretch by stretch: a stretch ends where the rates may jump."""
+"""Runs with adaptive step size, of order 8 or by Taylor series, in stretches that end where the rates may jump."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -27,28 +27,28 @@ from tam570.integrate.watch import (
 from tam570.meter import count
 from tam570.values import Numbers
 
-STEP, CALLED_STEP = 60, 180  # calls of a short function in Python that take as long as a step
-AT_A_TIME = 500  # steps, after which somebody may look
-WORTH_LANES = 16  # members: with fewer the code for eight motions is not worth its compilation
-AT_A_SWITCH = 6  # steps that but lead to it and across
-FAR = 1e3  # times the length of a run: so far from zero a clock lacks digits
-ALLOWED = 100.0  # times the tolerance, by what the rounding of times does to the states
-KINKS = 30.0  # of the tolerance, so many times less where the rates may have kinks
-AFTER_A_JUMP = 6  # steps in a row, each as much longer than the one before as it may be
-FOREVER = 2**62
-SOON = 1e-8  # of a run: as long a ramp lasts
-NEARBY = 16.0  # of the shortest steps
-RAMP = 1e-3  # of the rate soon after a start: what is less there is as good as zero
+STEP, CALLED_STEP = 60, 180  # calls of a short Python function as long as a step, of traced and called rates
+AT_A_TIME = 500  # steps between two looks of `watch_for_end`, at most
+WORTH_LANES = 16  # starts, from which on compilation of code for eight motions is worthwhile
+AT_A_SWITCH = 6  # attempts that a switch costs; they count as refusals
+FAR = 1e3  # in lengths of the run, time beyond which its round-off matters
+ALLOWED = 100.0  # tolerances, allowed effect of the round-off of times on the state
+KINKS = 30.0  # divisor of the tolerance if the rates may have kinks
+AFTER_A_JUMP = 6  # consecutive steps with the largest growth that indicate a jump
+FOREVER = 2**62  # steps
+SOON = 1e-8  # duration of a ramp, as a fraction of the run
+NEARBY = 16.0  # in shortest steps, distance at which rates near a failure are compared
+RAMP = 1e-3  # of the rate soon after the start; a smaller rate at the start counts as zero
 
 
 class Control(NamedTuple):
-    """What the caller asks of the steps.
+    """What the caller requires of the steps.
 
-    atol     : (k,), or none: it then follows from the start
-    max_step : s; first_step : s, or nothing: it then follows from the rates
-    longest  : longest(y) -> s, no step from y is longer; only together with `project`
-    project  : project(y) -> y after every step
-    on_step  : on_step(t, h, step) -> whether the run goes on, after every step; then the run is one in Python
+    atol     : (k,); if empty, it follows from the start
+    max_step : s; first_step : s; if None, it follows from the rates
+    longest  : longest(y) -> s, limit of a step from y; only together with `project`
+    project  : project(y) -> y, called after every step
+    on_step  : on_step(StepInterpolant) -> whether the run continues, called after every step; only in Python
     """
 
     rtol: float
@@ -61,7 +61,7 @@ class Control(NamedTuple):
 
 
 class Solution(NamedTuple):
-    """(n, k) states at the times asked for, the state at the end, and the name of what went there."""
+    """(n, k) states at the sample times, the last state, and the name of the engine."""
 
     rows: Array
     last: State
@@ -70,9 +70,9 @@ class Solution(NamedTuple):
 
 @dataclass
 class Run:
-    """A stretch of a run. since : times since `origin`; rows : (n, k), to be filled; last : where it is.
+    """A stretch of a run. since : times since `origin`; rows : (n, k), output; last : the current state.
 
-    estimate : of the whole run, whether compiling repays; None where that is decided
+    estimate : decides whether compiling repays for the run; None if that is decided
     """
 
     engine: Engine
@@ -88,22 +88,22 @@ class Run:
         return self.control.rtol
 
     def share(self, state: State) -> float:
-        """Return the part that is done, 1 where it goes no further."""
+        """Return the fraction that is done; 1 if the run cannot continue."""
         return 1.0 if state.row == len(self.rows) or state.halt else state.t / float(self.since[-1])
 
     def watch(self, too_many: int) -> Look:
-        """Return whether the run is to be given up, so many steps left being too many."""
+        """Return the look of `watch_for_end`, which gives the run up if `too_many` steps remain."""
         rhs, end = self.engine.functions["rhs"], float(self.since[-1])
         in_vain = OUT_OF_REACH if self.engine.is_traced else PYTHON
         return watch_for_end(rhs, self.engine.constants, self.origin, end, self.engine.sign, too_many, in_vain)
 
 
 def integrate(engine: Engine, times: Array, start: Array, how: str, control: Control) -> Solution:
-    """States at `times`; how: "auto", "python" or "compiled".
+    """Return the states at `times`; how : "auto", "python" or "compiled".
 
-    "auto" begins in Python. Where the steps counted so far say that compiling repays, the run starts again in compiled
-    code: so the states are those of "python" or those of "compiled", to the last bit.
-    ArithmeticError, with the time, where the rates or the state cease to be finite, or the equations become stiff.
+    "auto" starts in Python. If the count of its steps shows that compiling repays, the run starts again in compiled
+    code, so the states equal those of "python" or of "compiled" to the last bit.
+    Raise ArithmeticError, with the time, if rates or state are no longer finite, or the equations become stiff.
     """
     check_clock(engine, times, start, control.rtol)
     if engine.switches:
@@ -119,12 +119,12 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
     except WorthCompiling:
         try:
             return _integrate(engine, times, start, "compiled", control, None)
-        except (ImportError, OSError, RuntimeError):  # a broken llvmlite: nobody asked for it
+        except (ImportError, OSError, RuntimeError):  # llvmlite is broken: continue in Python
             return _integrate(engine, times, start, "python", control, None)
 
 
 def check_clock(engine: Engine, times: Array, start: Array, rtol: float) -> None:
-    """ValueError where the clock is far from its zero, and the rates depend on the digits that it lacks there."""
+    """Raise ValueError if times are so far from zero that their round-off affects the rates."""
     begin, end = float(times[0]), float(times[-1])
     latest, span = max(abs(begin), abs(end)), end - begin
     if latest < FAR * span:
@@ -133,7 +133,7 @@ def check_clock(engine: Engine, times: Array, start: Array, rtol: float) -> None
     clock = [begin + span * (k + 0.46) / 16 for k in range(16)]
     try:
         rates, later = (np.array([rhs(t + d, y, engine.constants) for t in clock]) for d in (0.0, rounding))
-    except TRIAL_ERRORS:  # the start may be no state of a later time
+    except TRIAL_ERRORS:  # the start may be invalid at later times
         return
     sizes = np.maximum(np.abs(start), span * np.abs(rates).max(axis=0))
     changes = np.median(np.abs(later - rates), axis=0)
@@ -148,7 +148,7 @@ def check_clock(engine: Engine, times: Array, start: Array, rtol: float) -> None
 def _integrate(
     engine: Engine, times: Array, start: Array, how: str, control: Control, estimate: Estimate | None
 ) -> Solution:
-    """Stretch by stretch, each to the next time at which the rates may jump."""
+    """Integrate stretch by stretch, each to the next time at which the rates may jump."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
@@ -185,7 +185,7 @@ def _integrate(
 
 
 def _check_rounding(engine: Engine, t: float, last: State, rtol: float) -> None:
-    """ArithmeticError where the rates of a pulse move the state by too much within the rounding of its time."""
+    """Raise ArithmeticError if the rates, as in a pulse, move the state too much within the round-off of time."""
     rates = engine.functions["rhs"](t, last.y, engine.constants)
     size = max(abs(v) + a / rtol for v, a in zip(last.y, last.a, strict=True))
     if math.inf > math.ulp(t) * max(map(abs, rates)) > ALLOWED * max(rtol, FINEST) * size:
@@ -193,18 +193,18 @@ def _check_rounding(engine: Engine, t: float, last: State, rtol: float) -> None:
 
 
 def of_steps(engine: Engine, control: Control) -> Control:
-    """Return what is asked of each step: where the rates may have kinks, of which an estimate sees but a part, more."""
+    """Return the control of the steps: a smaller tolerance if the rates may have kinks, which estimates underrate."""
     return control._replace(rtol=max(control.rtol / KINKS, SMALLEST_RTOL)) if engine.may_have_kinks else control
 
 
 def _check_history(engine: Engine, t: float, y: Array, begin: float, rtol: float) -> None:
-    """RhsError where a called right-hand side remembers what it was asked since the run began."""
+    """Raise RhsError if a called right-hand side depends on its calls since the run began."""
     if engine.called_rates is not None:
         engine.called_rates.check_history(t, y, t - begin, KINKS * rtol)
 
 
 def start_run(engine: Engine, times: Array, start: Array, control: Control, estimate: Estimate | None = None) -> Run:
-    """Return a run whose first row is filled."""
+    """Return a run with the start in its first row."""
     rows = np.empty((len(times), len(start)))
     rows[0] = start
     run = Run(engine, float(times[0]), times - times[0], rows, control, estimate)
@@ -213,7 +213,7 @@ def start_run(engine: Engine, times: Array, start: Array, control: Control, esti
 
 
 def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
-    """Step to the end of the stretch, or raise ArithmeticError with the time; a : absolute tolerance so far."""
+    """Run to the end of the stretch, or raise ArithmeticError with the time. a : absolute tolerance, if set before."""
     control = run.control
     if how == "compiled":
         _run_compiled(run, a)
@@ -230,7 +230,7 @@ def _run_stretch(run: Run, how: str, a: Sequence[float]) -> None:
 
 
 def _give_up(run: Run, last: State) -> NoReturn:
-    """Raise what says why a run cannot go on."""
+    """Raise the error that explains why a run cannot continue."""
     engine, t = run.engine, run.origin + last.t
     if last.halt == COARSE_CLOCK:
         raise blur(engine.sign * t, last.y)
@@ -252,20 +252,20 @@ def _give_up(run: Run, last: State) -> NoReturn:
     if own_error is not None and not isinstance(own_error, ArithmeticError):
         own_error.add_note(f"solve: rhs raises this beyond t = {engine.sign * t:.17g}, y = {list(last.y)}")
         raise own_error
-    if abs(t) > FAR * float(run.since[-1]):  # it lacks the digits that a step needs
+    if abs(t) > FAR * float(run.since[-1]):  # the time lacks the digits that a step needs
         raise blur(engine.sign * t, last.y)
     raise ArithmeticError(f"no step is short enough {where}: {_cause(run, last)}")
 
 
 def _cause(run: Run, last: State) -> str:
-    """Return why: next to a jump the rates are the same on either side, next to a pole they change more and more."""
+    """Return the reason: near a jump the rates change little on either side, near a pole they change more and more."""
     rhs, c, t = run.engine.functions["rhs"], run.engine.constants, run.origin + last.t
     step, times = math.ldexp(max(abs(t), last.t), -50), (-2 * NEARBY, -NEARBY, NEARBY, 2 * NEARBY)
     rates = np.array([rhs(t + k * step, _euler(k * step, last.y, last.f), c) for k in times])
     earlier, jump, later = np.abs(np.diff(rates, axis=0)).max(axis=1)
     is_smooth, left = max(earlier, jump, later) < np.abs(rates).max() / 10, float(run.since[-1]) - last.t
     if run.engine.is_traced and is_smooth and left < NEARBY * step:
-        raise Mistraced  # zero over zero, at a time that only a run by formulas meets
+        raise Mistraced  # 0/0 at a time that only a traced run evaluates
     if not max(earlier, later) < jump / 10:
         return f"the largest rate is {max(map(abs, last.f)):.3g}, and the solution or its rates become infinite"
     return (
@@ -276,7 +276,7 @@ def _cause(run: Run, last: State) -> str:
 
 
 def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State, budget: int) -> State:
-    """Return the state after so many steps of `advance`; since : as its code wants them."""
+    """Return the state after `budget` attempts of `advance`, or at the end; since : times as a list or array for it."""
     last = state.steps + state.refusals + budget
     while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:
         some = min(remaining, AT_A_TIME if run.estimate is None else run.estimate.due - run.estimate.steps)
@@ -295,12 +295,12 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
 
 
 def _sizes(state: State, rtol: float) -> list[float]:
-    """Of the components, for an estimate of their decays."""
+    """Return the scales of the components, to estimate decay rates."""
     return [abs(v) + (size / rtol if size > NO_SCALE else 0.0) for v, size in zip(state.y, state.a, strict=True)]
 
 
 def _run_compiled(run: Run, a: Sequence[float]) -> None:
-    """Step by Taylor's method as far as it goes; where a derivative is lacking, that of order 8 goes on."""
+    """Run by Taylor's method as far as possible; where it fails, continue with the method of order 8."""
     from tam570.integrate.compiled import backend
 
     engine, watch = run.engine, run.watch(COMPILED)
@@ -316,7 +316,7 @@ def _run_compiled(run: Run, a: Sequence[float]) -> None:
 
 
 def _unscaled_state(run: Run, a: Sequence[float]) -> State:
-    """Return the state that Taylor's method begins with: what starts at zero has no tolerance yet."""
+    """Return the initial state for Taylor's method; components that start at zero have no tolerance yet."""
     y, control = tuple(run.rows[0].tolist()), run.control
     a = tuple(control.atol) or tuple(a) or tuple(SHARE * control.rtol * abs(v) for v in y)
     h = control.first_step or float(run.since[-1]) / 100
@@ -325,37 +325,37 @@ def _unscaled_state(run: Run, a: Sequence[float]) -> State:
 
 
 def start_state(run: Run, a: Sequence[float] = ()) -> State:
-    """Return the state that `advance` begins with. a : the absolute tolerance so far, of an earlier stretch."""
+    """Return the initial state for `advance`. a : the absolute tolerance, if an earlier stretch set it."""
     engine, origin, span, control = run.engine, run.origin, float(run.since[-1]), run.control
     y, c, rhs = tuple(run.rows[0].tolist()), engine.constants, engine.functions["rhs"]
     f = rhs(origin, y, c)
     if not all(map(math.isfinite, f)):
         if a and engine.is_traced:
-            raise Mistraced  # a called function may have a value on either side
+            raise Mistraced  # a run by calls may not evaluate this time
         if a:
             raise ArithmeticError(
                 f"rhs or solution is not finite at t = {engine.sign * origin:.17g}: rhs gives {list(f)}"
             )
         check_start(engine.rates, origin, run.rows[0], engine.sign)
     g, sizes = f, a or [abs(v) for v in y]
-    if min(sizes) <= NO_SCALE:  # what rounding moves, or a ramp has just set in motion: as at rest
+    if min(sizes) <= NO_SCALE:  # as at rest, if only round-off or a ramp moves it
         y = tuple(0.0 if size <= NO_SCALE else v for size, v in zip(sizes, y, strict=True))
         g = rhs(origin, y, c)
         both = zip(g, rhs(origin + SOON * span, _euler(SOON * span, y, g), c), strict=True)
         g = tuple(0.0 if abs(rate) < RAMP * abs(later) else rate for rate, later in both)
     h, t = _first_step(rhs, origin, span, y, g, c), origin
     if h < SOON * span:  # the rates may jump at the very start
-        t, states = origin + h, (y, _euler(h, y, g))  # by time, or where the state leaves
+        t, states = origin + h, (y, _euler(h, y, g))  # due to time, or as the state leaves it
         onward, moved = max((_first_step(rhs, t, span, state, rhs(t, state, c), c), state) for state in states)
         h, beyond = max(h, onward), rhs(t, moved, c)
-        both = zip(g, beyond, strict=True)  # what moves at that instant alone is at rest
+        both = zip(g, beyond, strict=True)  # what moves only at that instant is at rest
         g = tuple(0.0 if abs(later) < RAMP * abs(rate) else later for rate, later in both)
         y = tuple(later if rate else v for v, later, rate in zip(y, moved, g, strict=True))
     if not control.atol and min(a, default=0.0) <= NO_SCALE:
         doublings = int(math.log(span / h, 4)) + 1 if engine.formulas.timed else 0
-        later = [t + h * 4.0**k for k in range(doublings)]  # a force may not be there yet
+        later = [t + h * 4.0**k for k in range(doublings)]  # times at which a force may set in
         sizes = error_scale(rhs, t, h, y, g, c, later)
-        if min(sizes) <= NO_SCALE:  # a contact of Hertz, of which no small change tells
+        if min(sizes) <= NO_SCALE:  # a Hertz contact, which no small change reveals
             n = engine.functions["step"](t, h, y, (0.0,) * len(y), g, sizes, (0.0,) * len(y), run.rtol, c)[0]
             sizes = tuple(max(s, abs(b - v)) if b - v < math.inf else s for s, b, v in zip(sizes, n, y, strict=True))
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
@@ -372,15 +372,15 @@ def _euler(h: float, y: Sequence[float], f: Sequence[float]) -> tuple[float, ...
 def _first_step(
     rhs: Rates, origin: float, span: float, y: Sequence[float], f: Sequence[float], c: Sequence[float]
 ) -> float:
-    """Return a step across which the derivative changes little, found from above.
+    """Return a step size, s, across which the derivative changes little, by reduction of a long one.
 
-    A derivative of zero deceives nobody.
+    A derivative of zero does not mislead this search.
     """
     h = span / 100 or span
     while h > max(1e-15 * span, 2.0**-50 * abs(origin)):
         onward = _euler(h, y, f)
         g = rhs(origin + h, onward, c)
-        # What starts at zero at zero rate does nothing to the others before a second step.
+        # A component that starts at zero with zero rate affects the others only from the second step on.
         if not (_restless(h, y, f, g, 0.1) or _restless(h, y, f, rhs(origin + 2 * h, _euler(h, onward, g), c), 0.3)):
             break
         h /= 4
@@ -388,9 +388,9 @@ def _first_step(
 
 
 def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool:
-    """Return whether the derivative changes by more than a part of the state, or of itself, within h.
+    """Return whether the derivative changes by more than a fraction `part` of the state, or of itself, within h.
 
-    What starts at zero with zero rate has no scale to compare with and is left to the estimates of the steps.
+    Components that start at zero with zero rate have no scale to compare with; the error estimates deal with them.
     """
     for i in range(len(y)):
         size = max(abs(y[i]), h * abs(f[i]))
@@ -400,9 +400,9 @@ def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool
 
 
 def shortest_step(engine: Engine, times: Array, start: Array, control: Control) -> float:
-    """Return the shortest of the steps that this method takes once it has found its pace; s.
+    """Return the shortest step, s, of this method after its first steps.
 
-    ValueError where the rates jump: steps grow as fast as they may, for long, where they were short for no reason.
+    Raise ValueError if the rates jump: at a switch, or if the steps grow as fast as allowed after short ones.
     """
     span = float(times[-1] - times[0])
     run = start_run(engine, times[[0, -1]], start, control)
@@ -416,7 +416,7 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         at_switch = engine.switches is not None and engine.switches.is_near
         if state.row == 2 or state.halt and not at_switch:
             break
-        if state.t > before.t or at_switch:  # taken, not refused
+        if state.t > before.t or at_switch:  # accepted, not refused
             length = state.t - before.t
             growing = growing + 1 if length > 0.9 * LARGEST * last and state.refusals else 0
             if growing == AFTER_A_JUMP or at_switch:
@@ -429,7 +429,7 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
 
 
 def ensemble(engine: Engine, times: Array, starts: Array, how: str, control: Control) -> Array:
-    """(m, n, k) states at `times` from the (m, k) starts, eight motions at a time in compiled code where that repays.
+    """Return (m, n, k) states from the (m, k) starts, eight motions at a time in compiled code if that repays.
 
     how : "auto", "python" or "compiled"
     """

@@ -1,6 +1,6 @@
-"""Step size and samples: the loop around the generated step. Plain enough for a compiler to take as it is.
+"""The loop over the generated steps: step size control and samples. `translate` compiles its source, too.
 
-The functions written for one right-hand side, which GENERATED names, are passed in once.
+The functions generated for a right-hand side, by the names in GENERATED, are passed in once.
 """
 
 from collections.abc import Callable
@@ -11,51 +11,50 @@ from typing import NamedTuple
 from tam570.integrate.error_scale import EPS, NO_SCALE
 from tam570.values import Numbers
 
-SAFETY = 0.9
-LARGEST, SMALLEST = 6.0, 0.2  # change of the step size from one step to the next (as dop853.f)
-DOUBLED = 2.0  # step size after an error that was rounding
-EXPONENT = -1 / 8  # of order 8
-JUMP = 1e-9  # move of the state, relative, by a change of the rates within the shortest of all steps: a jump of the
-# rates makes less of it, a singularity more
-CROSSED = 1000.0  # of the tolerance, which is 30 times less where rates jump: what such a step may miss
-BLUNT, FINEST = 30.0, 1e-12  # times the tolerance of what is largest: no step gets more for its rounding
-COARSE = 300.0  # the same, of what the rounding of time does to a step
-BEFORE_END = 0.75  # of the last step
-TRIALS, LONGER = 60, 0.02  # of the shortest steps, where the rates are not finite
-BLURRED, BRIEF = 256.0, 1e-9  # of the shortest step, of the run: the times of stages are known to a thousandth of it
-LEAP = 1e-4  # of the state: what moves it so far within such a step is a pole, whatever the error says
-SUSPICIOUS = 0.005  # of the third's power 9/4: the error of exp(a t) and of its like is 0.02 and more, so that less is
-# an estimate of order 5 that passes through zero
-NOT_SMOOTH = 0.01  # fifth over third, squared: with a short step of a smooth motion it is less
-JAGGED = 0.1  # the same, of a step of any length
-AT_A_JUMP = 200.0  # of the rates the estimate is but a part of the error; the ratio of both estimates tells it
-AT_A_KINK = 1000.0  # the same, where abs or its like passes zero
-UNSEEN = 256.0  # for the error where the step may have passed what saturates: half the step is tried
-AT_REST = 8  # steps at least: where nothing moves, no error says how far to look for what sets in later
+SAFETY = 0.9  # factor of the predicted step size, so that few steps are refused
+LARGEST, SMALLEST = 6.0, 0.2  # limits of the change of the step size (6 as in dop853.f)
+DOUBLED = 2.0  # largest growth of the step size after an error by round-off
+EXPONENT = -1 / 8  # of the error in the predicted step size, for order 8
+JUMP = 1e-9  # relative effect on the state of a change of rates in the shortest step: less at a jump, more at a pole
+CROSSED = 1000.0  # tolerances, error of a step across a jump (the tolerance is 30 times less if rates may jump)
+BLUNT, FINEST = 30.0, 1e-12  # limit of a step's round-off: tolerances of the largest component, or part of its size
+COARSE = 300.0  # tolerances, the same for the effect of the round-off of time
+BEFORE_END = 0.75  # of the last step, where its final rates are evaluated if they jump at the end
+TRIALS, LONGER = 60, 0.02  # attempts if the rates are not finite, with the shortest step and its growth per attempt
+BLURRED, BRIEF = 256.0, 1e-9  # brief steps, in shortest steps: times in them have errors of a thousandth; of the run
+LEAP = 1e-4  # relative change of the state in a brief step that indicates a pole, whatever the error estimate is
+SUSPICIOUS = 0.005  # least error, in units of the third-order estimate to the power 9/4. For exp(a t) etc. it is 0.02
+# and more; a smaller error means that the fifth-order estimate passes through zero
+NOT_SMOOTH = 0.01  # squared ratio of fifth- to third-order estimate: less in a short step of a smooth motion
+JAGGED = 0.1  # the same for a step of any length
+AT_A_JUMP = 200.0  # factor of the error at a jump of the rates, detected by this ratio: the estimate sees only a part
+AT_A_KINK = 1000.0  # the same if the argument of abs etc. crosses zero
+UNSEEN = 256.0  # error of a step that may have missed a saturating function: half the step is tried next
+AT_REST = 8  # steps of a run, at least: if nothing moves, no error limits steps before a force that sets in later
 
-# The functions that `advance` is given:
+# The generated functions that `advance` takes:
 GENERATED = ("step", "cross", "error_norms", "roundoff", "lesser", "reach", "bends", "passed", "dense", "at")
-RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED, COARSE_CLOCK = 0, 1, 2, 3, 4, 5  # why a loop comes back
+RUNNING, SETS_IN, TOO_SHORT, NOT_FINITE, STOPPED, COARSE_CLOCK = 0, 1, 2, 3, 4, 5  # why `advance` returns
 
 
 class State(NamedTuple):
-    """Where a run is."""
+    """State of a run."""
 
     row: int  # the next sample
     t: float  # s, since the start
-    h: float  # s, to be tried next
+    h: float  # s, next step size to try
     y: tuple[float, ...]
-    r: tuple[float, ...]  # what rounding took from y
+    r: tuple[float, ...]  # compensation: round-off lost from y (Kahan)
     f: tuple[float, ...]  # the derivative
     a: tuple[float, ...]  # the absolute tolerance
-    b: tuple[float, ...]  # what rounding does to the error estimates: the lesser of the last two measurements
-    measured: tuple[float, ...]  # the last one
-    growth: float  # of the next step, at most
-    refused: int  # attempts in a row
+    b: tuple[float, ...]  # round-off of the error estimates: the lesser of the last two measurements
+    measured: tuple[float, ...]  # the last measurement
+    growth: float  # largest growth of the next step size
+    refused: int  # consecutive refusals
     steps: int
     refusals: int
-    halt: int  # RUNNING, or why it goes no further
-    pace: float = 0.0  # s, of the steps before a switch cut one short
+    halt: int  # RUNNING, or why the run cannot continue
+    pace: float = 0.0  # s, step size before a switch limited it
 
 
 def loop_with(*generated: Numbers) -> Callable[..., State]:
@@ -74,10 +73,10 @@ def advance(
     longest: Numbers,
     budget: Numbers,
 ) -> Numbers:
-    """Fill the rows of `out` until none is left, `budget` steps are tried, or it has to halt.
+    """Fill the rows of `out` until none is left, `budget` steps are tried, or the run must halt; return the `State`.
 
-    generated : functions, as GENERATED names them; times : since `origin`; state : a `State`, as returned
-    longest   : s, of a step
+    generated : functions in the order of GENERATED; times : since `origin`; state : a `State`
+    longest   : s, largest step size
     """
     step, cross, error_norms, roundoff, lesser, reach, bends, passed, dense, at = generated
     end = times[len(times) - 1]
@@ -87,7 +86,7 @@ def advance(
         budget -= 1
         remaining = end - t
         shortest = max(2.0**-50 * t, 2.0**-50 * abs(origin + t), 1e-30 * end)  # t + h would hardly differ from t
-        shortest *= 1.0 + LONGER * refused  # one may meet 0/0, another does not
+        shortest *= 1.0 + LONGER * refused  # another step may avoid a 0/0
         limit = reach(origin + t, h, y, f, c) if reach else inf
         pace = max(pace, h) if limit < h else pace
         h = min(h, longest, limit) if h > longest or h > limit else h
@@ -97,7 +96,7 @@ def advance(
             h, new = remaining, end
         else:
             new = t + (h if 2 * h < remaining else remaining / 2)
-            h = new - t  # exactly: else the rounding of t would shift the motion
+            h = new - t  # exactly, or round-off of t would shift the motion
         n, rest, g, fifth, third, stages = step(origin + t, h, y, r, f, a, b, rtol, c)
         uneven = fifth > NOT_SMOOTH * third
         part = 1.0 / AT_A_JUMP if uneven and (refused > 0 or fifth > JAGGED * third) else 1.0
@@ -129,7 +128,7 @@ def advance(
                 row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
             t, y, r, f = new, n, rest, g
             h = _longer(h, error, growth, may_be_rounding, end)
-            if is_brief and pace > 0.0:  # it may have gone across a switch
+            if is_brief and pace > 0.0:  # the step may have crossed a switch
                 h, pace = max(h, pace), 0.0
             growth, refused = LARGEST, 0
             steps += 1
@@ -144,8 +143,8 @@ def advance(
 
 
 def _longer(h: Numbers, error: Numbers, growth: Numbers, may_be_rounding: Numbers, end: Numbers) -> Numbers:
-    """Return the step after one with an error that is allowed."""
-    if may_be_rounding and error <= 1.0:  # an error that is the rounding's falls with no shorter step
+    """Return the step size after an accepted step."""
+    if may_be_rounding and error <= 1.0:  # a shorter step would not reduce round-off
         h = h * min(growth, DOUBLED)
     elif 0 < error <= 1:
         longer = SAFETY * error**EXPONENT
@@ -156,7 +155,7 @@ def _longer(h: Numbers, error: Numbers, growth: Numbers, may_be_rounding: Number
 
 
 def _shorter(h: Numbers, error: Numbers, sure: Numbers) -> Numbers:
-    """Return the step after one that was too long, or passed a switch at `sure`."""
+    """Return the step size after a step that was too long, or that crossed a switch `sure` s after its start."""
     if sure < h:
         h = sure if error <= 1.0 else min(sure, 0.5 * h)
     elif error < 1e300:
@@ -167,9 +166,9 @@ def _shorter(h: Numbers, error: Numbers, sure: Numbers) -> Numbers:
 
 
 def is_blurred(b: Numbers, y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
-    """Return whether rounding does more to a step than the tolerance of what is largest allows.
+    """Return whether the round-off of a step is more than the tolerance of the largest component allows.
 
-    Of the state before the step: where one is far too long it ends anywhere.
+    y : the state before the step, since a step that is far too long may end anywhere
     """
     noise = 0.0
     for i in range(len(b)):
@@ -180,20 +179,20 @@ def is_blurred(b: Numbers, y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
 def _is_coarse(
     cross: Numbers, start: Numbers, h: Numbers, state: Numbers, g: Numbers, a: Numbers, rtol: Numbers, c: Numbers
 ) -> Numbers:
-    """Return whether the rates change by too much within the rounding of time: no estimate sees that stages shift."""
+    """Return whether the rates change too much within the round-off of time, which no error estimate detects."""
     rounding, limit = EPS * abs(start), max(COARSE * rtol, 10.0 * FINEST)
     is_coarse = False
     if rounding > limit * h:
         y, r, f = state
         is_coarse = rounding * _largest_change(f, g) > limit * _size(y, a, rtol)
-        if is_coarse:  # by time alone?
+        if is_coarse:  # if only time changes?
             _, _, later = cross(start + h, 0.0, y, r, f, c)
             is_coarse = rounding * _largest_change(f, later) > limit * _size(y, a, rtol)
     return is_coarse
 
 
 def _largest_change(f: Numbers, g: Numbers) -> Numbers:
-    """Return the largest difference."""
+    """Return the largest absolute difference."""
     change = 0.0
     for i in range(len(f)):
         change = max(change, abs(g[i] - f[i]))
@@ -201,7 +200,7 @@ def _largest_change(f: Numbers, g: Numbers) -> Numbers:
 
 
 def _size(y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
-    """Return the size of what is largest."""
+    """Return the size of the largest component, including its scale."""
     size = 0.0
     for i in range(len(y)):
         size = max(size, abs(y[i]) + a[i] / rtol)
@@ -209,9 +208,9 @@ def _size(y: Numbers, a: Numbers, rtol: Numbers) -> Numbers:
 
 
 def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:
-    """Return the error of a step over what is allowed, from both estimates squared (Hairer, Norsett, Wanner, II.10)."""
+    """Return the error of a step in tolerances, from both squared estimates (Hairer, Norsett, Wanner, II.10)."""
     error = fifth / sqrt(fifth + 0.01 * third) if fifth > 0 else fifth
-    if error < 1:  # the fifth may pass through zero
+    if error < 1:  # the fifth-order estimate may pass through zero
         least = suspicious * third**1.125
         error = least if least > error else error
     return error
@@ -230,7 +229,7 @@ def _sampled(
     step: Numbers,
     c: Numbers,
 ) -> Numbers:
-    """Return the next row, those that the step reaches being filled."""
+    """Fill the rows of the samples in a step; return the next row."""
     y, n, f, g, stages = step
     if times[row] < new:
         q = dense(origin + t, h, y, n, f, g, stages, c)
@@ -245,7 +244,7 @@ def _sampled(
 
 
 def _crossed(cross: Numbers, ends: Numbers, start: Numbers, h: Numbers, state: Numbers, c: Numbers) -> Numbers:
-    """Return the state and the rates beyond a jump; what the rates are at the very end of a run moves nothing."""
+    """Return state and rates beyond a jump; if the run ends there, rates from before its end, without the jump."""
     y, r, f = state
     n, rest, g = cross(start, h, y, r, f, c)
     if ends:
@@ -256,9 +255,9 @@ def _crossed(cross: Numbers, ends: Numbers, start: Numbers, h: Numbers, state: N
 def _jumps(
     crosses: Numbers, h: Numbers, y: Numbers, n: Numbers, f: Numbers, g: Numbers, a: Numbers, rtol: Numbers
 ) -> Numbers:
-    """Return whether the shortest step goes across a jump of the rates, and no pole: they move the state by little.
+    """Return whether the shortest step crosses a jump of the rates, not a pole: its effect on the state is small.
 
-    Relative to it; what starts from zero aside.
+    The effect is relative to the state; components that start from zero without scale are ignored.
     """
     limit = CROSSED * rtol
     largest = 0.0
@@ -270,7 +269,7 @@ def _jumps(
 
 
 def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
-    """Return whether something begins to move that has no scale: it is to get one, as at a start."""
+    """Return whether a component without scale begins to move, so that it needs a scale, as at the start of a run."""
     moves = False
     for i in range(len(n)):
         moves = moves or (a[i] <= NO_SCALE and y[i] == 0.0 and n[i] != 0.0)
@@ -278,7 +277,7 @@ def _sets_in(y: Numbers, n: Numbers, a: Numbers) -> Numbers:
 
 
 def _leaps(h: Numbers, y: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Numbers, part: Numbers) -> Numbers:
-    """Return whether a short step moves the state by a part of it, as next to a singularity of the rates."""
+    """Return whether a short step moves the state by a fraction `part` of its size, as next to a pole of the rates."""
     moved, size = 0.0, 0.0
     for i in range(len(n)):
         if a[i] > NO_SCALE:
@@ -287,7 +286,7 @@ def _leaps(h: Numbers, y: Numbers, n: Numbers, g: Numbers, a: Numbers, rtol: Num
 
 
 def _has_no_scale(a: Numbers) -> Numbers:
-    """Return whether a component has no scale yet."""
+    """Return whether any component has no scale yet."""
     lacks_scale = False
     for i in range(len(a)):
         lacks_scale = lacks_scale or a[i] <= NO_SCALE
@@ -295,7 +294,7 @@ def _has_no_scale(a: Numbers) -> Numbers:
 
 
 def _finite(n: Numbers) -> Numbers:
-    """Return whether all is finite."""
+    """Return whether all numbers are finite."""
     finite = True
     for i in range(len(n)):
         finite = finite and n[i] - n[i] == 0.0
