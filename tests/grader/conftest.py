@@ -1,4 +1,4 @@
-"""What an instructor does in a test: a class of three, `grade` as a command, and what it prints."""
+"""Fixtures of the grader's tests: the submissions of a class of three, the command `grade`, and its output."""
 
 import json
 
@@ -11,7 +11,7 @@ from tam570_grader.grading import supervisor
 
 @pytest.fixture
 def run(capsys):
-    """`run(*arguments)` -> (exit code, result lines, what was said on stderr)."""
+    """`run(*arguments)` -> (exit code of `grade`, its JSON lines, the text on stderr)."""
 
     def run(*arguments):
         code = cli.main(["grade", *map(str, arguments), "--json"])
@@ -23,14 +23,14 @@ def run(capsys):
 
 @pytest.fixture
 def tree(tmp_path, solution_text):
-    """A class of three: right, half done, and not handed in."""
+    """Return the folder of a class of three: a correct, an incomplete and a missing submission."""
     (tmp_path / "submitted" / "cora" / HW08).mkdir(parents=True)
     return hand_in(tmp_path / "submitted", {"ada": solution_text(HW08), "ben": "def skew(v): return None\n"})
 
 
 @pytest.fixture
 def graded_works(monkeypatch):
-    """The submissions that were run, by student and assignment."""
+    """Return a list of (student, assignment), to which each grading of a submission appends."""
     works, graded = [], supervisor.graded
 
     def noted(name, source, assignment, *rest, **more):
@@ -43,5 +43,5 @@ def graded_works(monkeypatch):
 
 @pytest.fixture(scope="session")
 def scores():
-    """`scores(lines)` -> student: score, of result lines."""
+    """`scores(lines)` -> {student: score} of JSON lines."""
     return lambda lines: {line["student"]: line["score"] for line in lines}

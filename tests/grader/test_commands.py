@@ -1,4 +1,4 @@
-"""The grader's commands: what each imports, what cannot be written, interrupts and stubs."""
+"""The grader's commands: imports, help, threads, output that cannot be written, and completion in shells."""
 
 import itertools
 import json
@@ -39,7 +39,7 @@ def test_the_help_lists_every_command_whatever_follows(capsys):
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="counts threads in /proc")
 def test_algebra_has_one_thread(monkeypatch):
-    """A second one would spin beside each supervisor."""
+    """NumPy's linear algebra uses one thread, because a second one would busy-wait beside each supervisor."""
     monkeypatch.delenv("OPENBLAS_NUM_THREADS", raising=False)
     code = "import tam570_grader, numpy, os\nnumpy.eye(500) @ numpy.eye(500)\nprint(len(os.listdir('/proc/self/task')))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout.split() == [b"1"]
@@ -47,7 +47,7 @@ def test_algebra_has_one_thread(monkeypatch):
 
 @pytest.mark.parametrize(("command", "path"), TARGETS)
 def test_what_cannot_be_written_is_named(here, capsys, command, path):
-    """A file is where a folder should be, or a folder is not there."""
+    """The error names the output path if its folder is a file or does not exist."""
     (here / "results").mkdir()
     (here / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
     (here / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")

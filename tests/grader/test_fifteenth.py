@@ -18,7 +18,7 @@ def renamed(text):
 
 
 def test_it_is_found_graded_audited_and_released(course, tmp_path, capsys):
-    """In a copy of the course, as the model's files with its name exchanged in names and texts."""
+    """The commands work with a copy of hw08's files in which the slug is replaced in file names and texts."""
     copy = tmp_path / "fifteen"
     for part in ("assignments", "solutions", "autograder", "shared"):
         shutil.copytree(course / part, copy / part, ignore=shutil.ignore_patterns("__pycache__"))

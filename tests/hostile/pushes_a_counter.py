@@ -1,6 +1,6 @@
 """Reads a counter that the whole kernel shares (socket cookies), and wakes futex waiters on a library file's page.
 
-The next sandbox process could read the counter; a sandbox process of another zygote would wake, at once or when this one ends.
+The next sandbox process could read the counter; one of another zygote would wake, at once or when this one ends.
 
 deserves: 10
 """

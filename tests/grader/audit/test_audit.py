@@ -1,4 +1,4 @@
-"""Mutants of the solutions, hidden cases, and what the audit says of them; a slip in one function alone, too."""
+"""The audit: mutants of the solutions, fairness, diagnosis, margins, and hidden cases."""
 
 import math
 import re
@@ -20,7 +20,7 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import Mistake, solution_with
 from tam570_grader.grading.executor import executor
 
-LISTED = {  # what lists equivalent mutants, and a line of the audit
+LISTED = {  # pattern of a line that the audit prints: mutants of _unit that are listed as equivalent {mutant: proof}
     r'\[_unit\]\n    "scaled @ scaled -> scaled.T @ scaled" = ""': {},
     " 1 equivalent, 0 survive[^$]* scaled.T @ scaled: it has no proof": {"scaled @ scaled -> scaled.T @ scaled": " "},
     "LISTED IN VAIN _unit: .*: it loses points": {"axis / largest -> axis * largest": "it is"},
@@ -69,7 +69,7 @@ def test_the_audit_fails_where_a_mutant_survives_or_is_listed_in_vain(line, caps
 
 
 def test_the_bound_on_a_rate_is_that_of_the_binomial():
-    """With no failure in n runs the bound p solves (1 - p)^n = 5 %; with k it leaves a chance of 5 % for k or fewer."""
+    """The bound p after k failures in n runs makes the probability of k or fewer failures 5 %."""
     assert fairness.upper_bound(0, 100) == pytest.approx(1 - 0.05 ** (1 / 100), rel=1e-12)
     p = fairness.upper_bound(2, 50)
     assert sum(math.comb(50, k) * p**k * (1 - p) ** (50 - k) for k in range(3)) == pytest.approx(0.05)
@@ -190,4 +190,4 @@ def test_a_check_fails_with_the_seeds_with_which_a_grading_fails_it(outcome, mos
     results = [tried(replace(grading, seed=seed)) for seed in seeds]
     failing = [seed for seed, result in zip(seeds, results, strict=True) if result.score < result.max_score]
     assert 1 < len(failing) < len(seeds)
-    assert seeds_that_fail(grading, check, seeds) == {*failing[:most]}  # a crash says nothing of the seeds after it
+    assert seeds_that_fail(grading, check, seeds) == {*failing[:most]}  # a crash ends the run of seeds

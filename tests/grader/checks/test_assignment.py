@@ -1,4 +1,4 @@
-"""A module of checks ends in a record that no typo empties."""
+"""A typo in the record ASSIGNMENT of a module of checks, or in a check, raises an error."""
 
 import shutil
 

@@ -1,4 +1,4 @@
-"""What messages call a result: RETURNS says it once, and a check may say it otherwise."""
+"""`compare`: labels and units from RETURNS in messages, results of any length, hints, and arguments of calls."""
 
 from types import SimpleNamespace
 
@@ -16,7 +16,7 @@ HEIGHT = number.described("the height", "m", lambda case, _: 1e3)
 
 
 def student(returns, result, name="height"):
-    """A student's function that always gives this result."""
+    """Return a stand-in for a student's function that always returns `result`."""
     return SimpleNamespace(name=name, returns=returns, many=lambda cases: [result for _ in cases])
 
 
@@ -50,7 +50,7 @@ def test_rows_are_judged_by_the_columns_of_results_and_tell_the_time():
 def test_a_hint_is_asked_for_the_one_failure_that_is_told():
     call_cases = []
     with pytest.raises(Failed) as failed, check_context():
-        for error in (2.0, 3.0):  # both keep a share
+        for error in (2.0, 3.0):  # both leave a share of the points, so the check continues
             expect(error, 0.0, tolerance=1.0, hint=lambda error=error: call_cases.append(error) or f"by {error:g}")
     assert call_cases == [2.0] and failed.value.failure.hint == "by 2"
 

@@ -1,4 +1,4 @@
-"""Free body diagrams: every right way to draw one passes, and what is wrong with another is named."""
+"""Free body diagrams: every correct way to draw a diagram passes, and messages name what is wrong in others."""
 
 import math
 from types import SimpleNamespace
@@ -30,7 +30,7 @@ NO_DIAGRAMS += [[((0, 0), (0, -1))] * 100, [((0, 0), [None, 1.0])], [((0, 0), [[
 
 
 def arrows(drawn, dimension=2):
-    """What a student returns, carried across the sandbox's border."""
+    """Return the diagram that the grader receives from the sandbox if the student's function returns `drawn`."""
     (reply,) = checked(unpacked(packed({"replies": [{"value": portable(drawn)}]})), "value")
     return result(free_body_diagram(dimension), reply["value"], "free_body_diagram", Case())
 
@@ -100,7 +100,7 @@ def test_what_is_no_diagram_fails_with_a_message(drawn):
 
 
 def student(drawn):
-    """A student's function that draws one diagram."""
+    """Return a stand-in for a student's function that always returns this diagram."""
     return SimpleNamespace(name="free_body_diagram", many=lambda calls: [arrows(drawn) for _ in calls])
 
 
@@ -110,19 +110,19 @@ def test_a_failure_has_a_picture_of_what_was_drawn_and_of_nothing_else(far):
         compare_diagrams(student([(G, DOWN), ((far, -far), (3, 3.1)), (C, None)]), lambda: CYLINDER, [Case()])
     drawn = numbers(failed.value.failure.sketch)
     assert failure({"sketch": drawn}).sketch == drawn
-    assert {arrow[2] for arrow in drawn["arrows"]} == {-70, 50, None}  # to ten degrees, from which it is 46
+    assert {arrow[2] for arrow in drawn["arrows"]} == {-70, 50, None}  # rounded to 10 degrees: 50 was 46
     assert len(sketch(drawn).unknown) == 1 and sketch(drawn).arrows.count("M") == 2
     assert all(number in range(0, 201, 10) for arrow in drawn["arrows"] for number in arrow[:2])
 
 
 def test_a_picture_tells_at_most_80_bits():
-    """Whatever a student draws to carry hidden numbers out."""
+    """A student who draws arrows that encode hidden numbers learns at most 80 bits from the picture."""
     rng = np.random.default_rng(4)
     drawn = [(tuple(rng.normal(size=2)), tuple(rng.normal(size=2))) for _ in range(8)]
     with pytest.raises(Failed) as failed:
         compare_diagrams(student(drawn), lambda: CYLINDER, [Case()])
     shown = failed.value.failure.sketch["arrows"]
-    assert len(shown) == 5 and shown == sorted(shown, key=str)  # their order tells nothing
-    places, angles = 21**2, 360 // 10 + 1 + 1  # -180 and 180 are two, and one is unknown
+    assert len(shown) == 5 and shown == sorted(shown, key=str)  # sorted, so that the order reveals nothing
+    places, angles = 21**2, 360 // 10 + 1 + 1  # -180 and 180 are two angles, and None is another
     assert all(angle % 10 == 0 and x % 10 == y % 10 == 0 for x, y, angle in shown)
     assert math.log2(6 * (places * angles) ** 5) < 80

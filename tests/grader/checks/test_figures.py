@@ -1,4 +1,4 @@
-"""The figures of the problems show what the functions of the assignments mean: signs, lengths, points."""
+"""The figures of the problems agree with the functions of the solutions: signs, lengths, points."""
 
 import math
 from xml.etree import ElementTree
@@ -14,19 +14,19 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def drawn(figure):
-    """The named points of a figure, in px."""
+    """Return {name: (2,) position, px} of the named points of a figure."""
     circles = ElementTree.fromstring(figure.svg()).iter(f"{SVG}circle")
     return {item.get("data-name"): np.array([float(item.get("cx")), float(item.get("cy"))]) for item in circles}
 
 
 def moved(slug, name, **changed):
-    """How far a named point moves, in m to the right and up, when the figure is drawn with other values."""
+    """Return how far a named point moves, m to the right and up, if the figure is drawn with other values."""
     before, after = assignments.figure(COURSE, slug), assignments.figure(COURSE, slug, **changed)
     return (drawn(after)[name] - drawn(before)[name]) * [1, -1] / before.scale
 
 
 def right_and_up(azimuth, elevation):
-    """The contract's directions of a projection."""
+    """Return the (2, 3) matrix of the projection of hw04; its rows point to the right and up."""
     return np.asarray(solution("hw04_hanging_spring").project(np.eye(3), azimuth, elevation)).T
 
 
@@ -43,7 +43,7 @@ def bob(theta):
 
 
 def heavy_side(phi, slope=0.4):
-    """G of the cylinder, from the axes of the ramp to level and upright ones."""
+    """Return the position of the cylinder's G, (2,), with components to the right and up."""
     cylinder = {"mass": 1.0, "radius": 1.0, "offset": 0.5, "slope": slope, "gravity": 1.0}
     along, off = solution("hw13_rolling_cylinder").free_body_diagram(phi, **cylinder)[0][0]
     return np.array([along * math.cos(slope) + off * math.sin(slope), off * math.cos(slope) - along * math.sin(slope)])
@@ -55,7 +55,7 @@ def centre(tilt):
 
 
 BARS = {"th1": 0.5, "th2": 1.15}, {"th1": 0.9, "th2": -0.3}
-MOVES = {  # a point, what is drawn, what is drawn instead, and where the contract has the point
+MOVES = {  # slug: (point, parameters of the figure, other parameters, function that returns the point's position)
     "hw01_simple_pendulum": ("m", {"theta": 0.65}, {"theta": -0.4}, bob),
     "hw04_hanging_spring": (
         "m",
@@ -79,7 +79,7 @@ def test_a_point_is_where_the_contract_has_it(slug):
 
 
 def test_the_car_turns_counter_clockwise():
-    """By the arrow of its speed."""
+    """The arrow of the car's velocity turns counter-clockwise as the heading grows."""
     for heading, direction in ((0.0, [1, 0]), (math.pi / 2, [0, 1])):
         svg = assignments.figure(COURSE, "hw06_braking", heading=heading).svg()
         paths = [item for item in ElementTree.fromstring(svg).iter(f"{SVG}path") if item.get("class") == "vector"]

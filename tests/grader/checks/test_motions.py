@@ -1,4 +1,4 @@
-"""A chaotic motion with small errors has followed its equations; one that leaves them in a single row has not."""
+"""Comparison of motions: rates along the rows, errors that chaos amplifies, rows out of order, and their messages."""
 
 from functools import cache, partial
 from types import SimpleNamespace
@@ -113,7 +113,7 @@ def test_the_energy_of_a_double_pendulum_is_judged_at_a_loose_tolerance(grade, s
 
 
 def swings(t, start, tolerance=1e-10, damping=0.0):
-    """A pendulum of unit frequency."""
+    """Return the motion of a pendulum of unit frequency."""
 
     def rate(_, y):
         return y[1], -np.sin(y[0]) - damping * y[1]
@@ -123,7 +123,7 @@ def swings(t, start, tolerance=1e-10, damping=0.0):
 
 def reported(simulate, t=T, near_miss=0.0):
     actual = simulate(t, RESTED)
-    function = SimpleNamespace(aside=lambda case: simulate(*case.args))  # it may be another than the rows are of
+    function = SimpleNamespace(aside=lambda case: simulate(*case.args))  # called with other times
     item = ComparedMotion(Case(t, RESTED), actual, swings(t, RESTED), np.ones(2), function, swings)
     return diagnosed(item, [item], [], near_miss)
 

@@ -1,4 +1,4 @@
-"""What a student draws: curves, scales, labels, decorations, scatters in any order, distances from a path."""
+"""Plots of students: curves, scales, labels, decorations, scatters in any order, distances from a path."""
 
 import contextlib
 import runpy
@@ -31,7 +31,7 @@ def test_a_scale_is_what_is_drawn_and_pieces_of_a_line_are_one_curve_where_they_
 
 
 def test_distances_from_a_polygon_are_those_to_its_sides_and_many_points_cost_no_more():
-    square = [[0, 0], [2, 0], [2, 0], [2, 2]]  # a corner twice
+    square = [[0, 0], [2, 0], [2, 0], [2, 2]]  # a repeated corner
     assert distances([[1, 0], [1, -3], [3, 3], [-3, 4]], square) == pytest.approx([0, 3, 2**0.5, 5])
     turn = np.linspace(0, 6, 300_000)
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
@@ -55,7 +55,7 @@ def test_a_label_names_metres_in_many_forms(label, reference):
         judge_axes_of_lengths(readable(axes))
 
 
-DRAWN = {  # assignment: the function that draws, its check, its visible test
+DRAWN = {  # slug: (the function that plots, its hidden check, its visible test)
     "hw02_ballistics": ("plot_comparison", "both_paths_are_drawn", "two_curves_are_drawn"),
     "hw04_hanging_spring": ("plot_projection", "the_path_is_drawn", "the_picture_has_one_curve_and_names_on_its_axes"),
     "hw07_double_pendulum": ("plot_tip_path", "tip_path_is_drawn", "the_tip_path_is_drawn"),
@@ -121,16 +121,16 @@ WRONG = {
     "unordered points, joined": "ax.lines[-1].set_data(*mixed)",
     "another unit": r"ax.set(xlabel=r'$x\,(\mathrm{mm})$')",
 }
-SEEN = {"no curve", "another curve", "few points", "another unit"}  # by the visible tests too
+SEEN = {"no curve", "another curve", "few points", "another unit"}  # the visible tests detect these, too
 
 
 def redrawn(slug, code, text):
-    """The solution with another picture."""
+    """Return the solution with code that changes the picture."""
     return text + "\nimport numpy as np\n" + REDRAWN.format(name=DRAWN[slug][0], code=code)
 
 
 def run_hidden_check(slug, student, course):
-    """Judge the picture by the hidden check."""
+    """Run the hidden check of the picture."""
     (check,) = (check for check in assignments.assignment(course, slug).checks if check.name == DRAWN[slug][1])
     with check_context():
         check.run(student, np.random.default_rng(3))
@@ -146,7 +146,7 @@ def tried(slug, text, course, monkeypatch):
 
 
 def pictures(fields):
-    """Every picture of every assignment; those that are not slow take turns."""
+    """Return the parameters of each picture in each assignment; all are slow except one assignment of every third."""
     return [
         pytest.param(what, slug, marks=[] if row % 3 == 0 and row // 3 % len(DRAWN) == column else [pytest.mark.slow])
         for row, what in enumerate(fields)

@@ -1,4 +1,4 @@
-"""What a function promised to return, and what `expect` and a formula make of it."""
+"""Results of another form than RETURNS describes, `expect`, and formulas."""
 
 import math
 
@@ -52,7 +52,7 @@ def symbolic(student_of):
     ],
 )
 def test_a_result_of_another_form_says_how_here_and_at_home(returns, value, fragment):
-    """Here it has crossed the sandbox's border."""
+    """The grader, after the sandbox has sent the result, and the visible tests (`conform`) report the same error."""
     with pytest.raises(Failed) as failed:
         result(returns, unpacked(packed(portable(value))), "f", Case(np.zeros(5)))
     assert fragment in describe_failure(failed.value.failure)
@@ -74,8 +74,8 @@ def test_expect_lets_nothing_through_that_is_no_number(actual):
 @pytest.mark.parametrize(
     ("expression", "reference"),
     [
-        ("(m * l - m * g * sympy.sin(theta)) / (m * l) - 1", True),  # SymPy leaves it so
-        ("-g * sympy.sin(theta) / l + m - sympy.sqrt(m**2)", True),  # as a mass is positive
+        ("(m * l - m * g * sympy.sin(theta)) / (m * l) - 1", True),  # SymPy does not simplify it
+        ("-g * sympy.sin(theta) / l + m - sympy.sqrt(m**2)", True),  # m cancels, because a mass is positive
         ("(sympy.exp(-sympy.I * theta) - sympy.exp(sympy.I * theta)) * g / (2 * sympy.I * l)", True),
         ("-sympy.Symbol('g', positive=True) * sympy.sin(theta) / sympy.Symbol('l', real=True)", True),
         ("-g * sympy.sin(theta) / l + sympy.I * g / 10**9", False),

@@ -1,4 +1,4 @@
-"""A mistake in one function is told once, and what is right but for it keeps two thirds of its points."""
+"""A mistake in one function is named once; a check that fails only because of it keeps two thirds of its points."""
 
 import pytest
 from parameters import first
@@ -15,7 +15,7 @@ UP = "-k * z - gravity", "-k * z + gravity"
 
 @pytest.fixture
 def checked(grade, solution_text):
-    """`checked(slug, (line, wrong), more=text)` -> results of the solution with a wrong line, by names of checks."""
+    """`checked(slug, (line, wrong), more=text)` -> {check: result} of the solution with a wrong line and more text."""
 
     def checked(slug, *lines, more=""):
         text = solution_text(slug) + more
@@ -28,7 +28,7 @@ def checked(grade, solution_text):
 
 
 def following(checks):
-    """What follows from what, by the names of functions; each has its share of the points."""
+    """Return {(function, function that it follows from)}; assert that each such check keeps its share of the points."""
     failed = [check for check in checks.values() if check.outcome == "failed" and check.failure.follows_from]
     pairs = {(check.failure.function, check.failure.follows_from) for check in failed}
     for check in failed:
@@ -47,7 +47,7 @@ def test_a_wrong_load_is_told_once_and_costs_a_third_of_what_it_carries(checked)
     functions = "friction_force", "state_derivative", "simulate", "yaw_growth_rate", "small_yaw_rate", "axle_load"
     assert following(actual) == {(name, "axle_load") for name in functions}
     full = [name for name, check in actual.items() if check.points == check.max_points]
-    assert "simulate_glides_without_friction" in full  # judged though the one before it failed
+    assert "simulate_glides_without_friction" in full  # runs although the check before it failed
     assert sum(check.points for check in actual.values()) > 6.5
 
 
@@ -109,7 +109,7 @@ def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
 
 
-@pytest.mark.slow  # rates by vectors
+@pytest.mark.slow  # the rates use vectors
 def test_rows_of_zeros_are_judged_to_the_end(checked):
     zeros = "\n\ndef euler_state_derivative(t, state, **disk):\n    return np.zeros(8)\n"
     zeros += "\n\ndef simulate_euler(t, state, **disk):\n    return np.zeros((len(t), 8))\n"
@@ -136,7 +136,7 @@ def test_a_mistake_in_a_helper_is_told_once(checked, sign, form):
     assert following(actual) == {(name, "linear_momentum_balance") for name in functions}
 
 
-@pytest.mark.parametrize(("drag", "weight"), [("-", "mass * gravity"), ("-0.7 * ", "1.2 * gravity")])  # one has a name
+@pytest.mark.parametrize(("drag", "weight"), [("-", "mass * gravity"), ("-0.7 * ", "1.2 * gravity")])  # first: named
 def test_a_flight_follows_from_its_own_rates(checked, drag, weight):
     integrated = 'solve(_rates, t, start, parameters={"rate": drag / mass, "gravity": gravity}'
     own_call = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'
@@ -198,14 +198,14 @@ BY_OTHERS = [
     ("hw11_disk_steady", FORCE, ("rolling_spin", "contact_force"), "residual(1", "residual(2"),
     ("hw13_rolling_cylinder", CENTRIFUGAL, ("contact_force", "acceleration"), "cylinder)[1:])", "cylinder)[:0:-1])"),
     ("hw13_rolling_cylinder", ABOVE, ("naive_contact_acceleration", "acceleration"), "x * math.cos(s", "math.cos(s"),
-    ("hw14_rolling_disk", NO_WEIGHT, BY_VECTORS, "+ turning", "- turning"),  # its rates take a millisecond
+    ("hw14_rolling_disk", NO_WEIGHT, BY_VECTORS, "+ turning", "- turning"),  # a call of its rates takes 1 ms
 ]
 
 
 @pytest.mark.parametrize(("slug", "line", "pair", "correct", "wrong"), first(1, BY_OTHERS))
 def test_what_shares_a_wrong_helper_keeps_its_share_but_for_a_slip(checked, slug, line, pair, correct, wrong):
     more, lines = (assignments.checks_folder(assignments.find(), slug) / "consequences.py").read_text(), [line]
-    if slug.startswith("hw14"):  # no formulation may call another's function
+    if slug.startswith("hw14"):  # the checks forbid that a formulation calls a function of another
         lines.append(("euler_state_derivative(", "_euler("))
         more += "\n\ndef public(t, state, **disk):\n    return _euler(t, state, **disk)\n"
         more += "\n\npublic.__name__ = 'euler_state_derivative'\neuler_state_derivative = public\n"
@@ -256,7 +256,7 @@ def test_a_motion_that_ends_its_process_follows_from_the_accelerations_with_whic
     more = PUT_BACK.format(factor=1).replace(start, f"    if t[-1] - t[0] > 0.01:\n        os._exit(1)\n{start}")
     actual = checked("hw05_constrained_pendulum", HALF_MORE, more=f"\nimport os\n{more}")
     assert ("simulate", "acceleration") in following(actual)
-    assert actual["it_stays_on_the_circle"].points > 0  # though the function was given up before
+    assert actual["it_stays_on_the_circle"].points > 0  # although the process of the function ended in another check
 
 
 def test_exchanged_definitions_are_one_mistake(checked):

@@ -1,4 +1,4 @@
-"""Known mistakes: what agrees with one, and what does not."""
+"""Known mistakes: which calls agree with a mistake."""
 
 import math
 from dataclasses import replace
@@ -16,28 +16,28 @@ def wrong(body, **fields):
 
 
 def is_named(mistake, *calls):
-    """Whether calls (function, input, the student's result) agree with a mistake."""
+    """Return whether calls (function, input, student's result) agree with a mistake."""
     cause = named_mistake(SOLUTION, [mistake], [Call(name, Case(x), result) for name, x, result in calls])
     return cause is not None and cause.message == mistake.message
 
 
-AGREE = [  # a wrong f (the right one is 2 x, and g is 3 x), calls, and whether they agree with it
+AGREE = [  # (formula of a wrong f, calls, whether they agree with it); the correct f is 2 x, and g is 3 x
     *((body, [("f", 0.0, 1.0)], False) for body in ("1 / x", "math.sqrt(x - 1)", "np.linalg.inv([[x]])")),
     # a call that failed agrees with no value
     ("x", [("f", 1.0, 1.0), ("f", 0.0, None)], False),
     ("1 / x", [("f", 1.0, 1.0), ("f", 0.0, None)], True),
     ("1 / x if x else math.nan", [("f", 1.0, 1.0), ("f", 0.0, None)], True),
     ("x", [("f", 0.0, None)], False),
-    # what the mistake does not change is not asked
+    # results of functions that the mistake does not change do not matter
     ("x", [("f", 1.0, 1.0), ("g", 1.0, math.pi)], True),
     ("x", [("g", 1.0, 1.0)], False),
-    # a right result is no mistake
+    # a correct result is no mistake
     ("2.0 * x", [("f", 1.0, 2.0)], False),
     ("2.0 * abs(x)", [("f", 1.0, 2.0)], False),
     # every call must agree
     ("2.0 * abs(x)", [("f", 1.0, 2.0), ("f", -1.0, 2.0)], True),
     ("2.0 * abs(x)", [("f", -1.0, 2.0), ("f", -2.0, -4.0)], False),
-    # what cancels is zero but for the rounding of the numbers beside it
+    # a result that cancels differs from zero by the rounding of larger results
     *(("x", [("f", large, large), ("f", 0.0, -3e-14)], large > 1.0) for large in (1.0, 90.0)),
 ]
 
@@ -59,7 +59,7 @@ def test_how_closely_is_said_by_the_mistake():
 
 
 def test_an_answer_is_computed_once_for_the_same_input():
-    """A wrong function that counts its calls."""
+    """A wrong function that counts its calls is called once for each input."""
     counted = wrong("(calls.append(1), x)[1]")
     text = counted.text.replace("def f", "calls = []\n\n\ndef f")
     counted = replace(counted, text=text)

@@ -1,4 +1,4 @@
-"""Mistakes that nobody has written down are found by trying; what could be two things is not named."""
+"""The search names mistakes that are in no list by trying changes; it names none if two causes are possible."""
 
 import math
 
@@ -77,7 +77,7 @@ def rotated(v, angle):
 
 
 def cases():
-    """Inputs of each function, with the names that a wrong formula uses."""
+    """Return {function: [(input, {name in a wrong formula: value})]}."""
     pairs, positive = DRAW.uniform(1, 3, (4, 2)), DRAW.uniform(0.5, 3, (4, 4))
     disks, quadrants = positive * [1, 1, 1, 2], DRAW.uniform(1, 2, (4, 2)) * [[1, 1], [1, -1], [-1, 1], [-1, -1]]
     turns = list(zip(DRAW.normal(size=(4, 2)), DRAW.uniform(0.3, 1.2, 4), strict=True))
@@ -108,7 +108,7 @@ def cases():
 
 
 def calls(function, wrong):
-    """Calls of a function whose results come from a wrong formula."""
+    """Return calls of a function whose results come from a wrong formula."""
     tools = {"np": np, "math": math, "rotated": rotated}
     return [Call(function, case, eval(wrong, {**tools, **names})) for case, names in cases()[function]]
 
@@ -142,7 +142,7 @@ def calls(function, wrong):
         ("polar", "(-r, -a)", "Your results of polar have the opposite sign"),
         ("forces", "F*[[1, 1], [-1, 1]]", "the sign of a term is reversed"),
         ("swing", "2*(1 + math.cos(a))", "a cosine with angle has the wrong sign"),
-        ("lift", "m*l**2 + g*m*l", "the sign of a term with gravity, length, mass is reversed"),  # one slip alone
+        ("lift", "m*l**2 + g*m*l", "the sign of a term with gravity, length, mass is reversed"),  # only one slip
         ("lift", "-m*l**2 - g*m*l", "the sign of a term with length, mass is reversed"),
         ("turned", "(v @ [1, -1]*math.cos(a), v @ [1, 1]*math.cos(a))", "the wrong function is used with angle"),
         ("turned", "rotated(v, a) + [0, v[0]*(math.sin(math.radians(a)) - math.sin(a))]", "radians is read as degrees"),
@@ -183,13 +183,13 @@ def test_it_is_named_by_what_it_does(function, wrong, words):
 @pytest.mark.parametrize(
     "of",
     [
-        lambda: calls("weight", "m*g*h + m*l**2/2"),  # right
-        lambda: calls("weight", "m*(g*h - l**2/2)")[:1],  # one call
+        lambda: calls("weight", "m*g*h + m*l**2/2"),  # correct
+        lambda: calls("weight", "m*(g*h - l**2/2)")[:1],  # a single call
         lambda: calls("weight", "m + g"),
-        lambda: calls("turned", "-rotated(v, a)") + calls("cross", "np.cross(b, a)"),  # two are wrong
+        lambda: calls("turned", "-rotated(v, a)") + calls("cross", "np.cross(b, a)"),  # two functions are wrong
         lambda: [*calls("turned", "rotated(v, a)"), Call("turned", Case(np.ones(2), angle=0.1), None)],
         lambda: calls("cross", "4*np.linalg.norm(a)*np.cross(a, b)"),
-        lambda: calls("fall", "np.column_stack([h + v*t - 0.705*t**2, v - 1.41*t])"),  # not drag, 0.7
+        lambda: calls("fall", "np.column_stack([h + v*t - 0.705*t**2, v - 1.41*t])"),  # 0.705 is not drag, 0.7
     ],
 )
 def test_what_is_no_one_thing_is_not_named(of):
@@ -210,6 +210,6 @@ def test_what_was_told_of_another_function_is_told_as_the_same(tmp_path):
 
 
 def test_a_variant_that_never_ends_is_passed_over():
-    """`stairs` with another sign in its step goes round for ever; the slip in the last line comes after that one."""
+    """The variant of `stairs` with another sign in its step never ends; the search skips it and names a later slip."""
     steps = [Call("stairs", Case(n, m), n * (n + 1) / 2 + m) for n, m in ((2, 3.0), (3, 5.0), (4, 7.0))]
     assert general(SOLUTION, steps).message == "In stairs, an exponent with m is one too large or too small"

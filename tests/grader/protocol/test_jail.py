@@ -1,4 +1,4 @@
-"""Whose fault a death is, and what a submission may leave behind."""
+"""The monitor reports who killed a sandbox process, and a submission leaves no process behind."""
 
 import contextlib
 import os
@@ -15,7 +15,7 @@ from tam570_grader.sandbox.process import SandboxProcess
 
 ASLEEP = [sys.executable, "-c", "import time; print(flush=True); time.sleep(60)"]
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="grading needs Linux or macOS")
-DEATHS = {  # what happens to a sandbox process or to its worker, and whether it is not to blame
+DEATHS = {  # event: (how the test causes it, b"1" if the sandbox process is not to blame for its death)
     "it dies with its worker": (lambda lifeline, **_: os.close(lifeline), b"1"),
     "a stranger kills it": (lambda child, **_: os.kill(child.pid, 9), b"1"),
     "the supervisor has it killed": (lambda leash, **_: leash.sendall(b"k"), b"0"),
@@ -35,7 +35,7 @@ def test_the_monitors_last_word_is_whose_fault_a_death_is(happen, word):
         happen(child=child, leash=leash, lifeline=held)
         reply = leash.recv(64).split()
         monitor.join()
-        child.returncode = 0  # the monitor has waited for it
+        child.returncode = 0  # the monitor has reaped it
     os.close(lifeline)
     with contextlib.suppress(OSError):
         os.close(held)
@@ -45,7 +45,7 @@ def test_the_monitors_last_word_is_whose_fault_a_death_is(happen, word):
 @pytest.mark.parametrize("asks_first", [False, True])
 @pytest.mark.parametrize("word", ["0", "1"])
 def test_the_supervisor_hears_the_last_word_of_a_monitor_that_has_gone(word, asks_first):
-    """It is not run for a while on a busy machine, and its next order then goes to nobody."""
+    """On a busy machine, the monitor may have ended before the supervisor sends its next order."""
     channel, leash, monitors_end = socket.socket(), *socket.socketpair()
     process = SandboxProcess(channel, leash, call_limit=1.0)
     monitors_end.sendall(f"0.25\n0.5 {word}\n".encode())
@@ -94,7 +94,7 @@ def printed(script):
 
 @linux
 def test_without_namespaces_what_a_submission_leaves_behind_ends_with_it():
-    """Also in a session of its own, with another parent."""
+    """A process in another session and with another parent also ends with the submission."""
     (pid,) = printed(RUNS_AWAY)
     assert not os.path.exists(f"/proc/{pid}")
 
