@@ -22,7 +22,7 @@ COARSE = 300.0  # tolerances, the same for the effect of the round-off of time
 BEFORE_END = 0.75  # of the last step, where its final rates are evaluated if they jump at the end
 TRIALS, LONGER = 60, 0.02  # attempts if the rates are not finite, with the shortest step and its growth per attempt
 BLURRED, BRIEF = 256.0, 1e-9  # brief steps, in shortest steps: times in them have errors of a thousandth; of the run
-LEAP = 1e-4  # relative change of the state in a brief step that indicates a pole, whatever the error estimate is
+LEAP = 1e-4  # relative change of the state in a brief step that indicates a pole, for any error estimate
 SUSPICIOUS = 0.005  # least error, in units of the third-order estimate to the power 9/4. For exp(a t) etc. it is 0.02
 # and more; a smaller error means that the fifth-order estimate passes through zero
 NOT_SMOOTH = 0.01  # squared ratio of fifth- to third-order estimate: less in a short step of a smooth motion

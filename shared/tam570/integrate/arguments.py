@@ -67,7 +67,7 @@ def initial_state(y0: ArrayLike) -> Array:
     """Return (k,) or (m, k) floats. Raise ValueError if y0 is empty, complex, not finite or of another shape."""
     try:
         is_complex = np.iscomplexobj(np.asarray(y0))
-    except ValueError:  # rows of several lengths
+    except ValueError:  # rows of different lengths
         is_complex = False
     if is_complex:
         raise ValueError("y0: must be real; it is complex: give real and imaginary parts as components of their own")

@@ -29,8 +29,7 @@ class Report:
     untraced_reason : str
         Why the right-hand side was called unchanged instead of traced; empty if it was traced.
     unseen_reason : str
-        Why the switches of a function that was called cannot be detected: its steps are then at most a thousandth of
-        the run. Empty if they can.
+        Why switches of a called rhs cannot be detected: steps are then at most a thousandth of the run. Else empty.
     steps : int
     refusals : int
         Steps that were refused and repeated with a smaller step size.
@@ -66,9 +65,9 @@ class Motion:
         The times passed to `solve`, up to a terminal event.
     states : (n, k) ndarray
     events : tuple of Crossing
-        One for each event function.
+        The zero crossings of each event function.
     at : callable or None
-        at(time or times) returns (k,) or (n, k) states, if you asked for `dense`.
+        at(time or times) returns (k,) or (n, k) states; None without `dense`.
     report : Report
     """
 

@@ -112,7 +112,7 @@ def solve(
         `rhs(t, y, **parameters)` returns k numbers, with NumPy or plain floats inside. Parameters are bound at
         the start.
     t : (n,) array_like
-        Strictly increasing or decreasing, n >= 2. The choice of times does not change the steps taken.
+        Strictly increasing or decreasing, n >= 2. Times between t[0] and t[-1] do not affect the steps.
     y0 : (k,) or (m, k) array_like
         One start, or m starts at once.
     parameters : mapping, optional
@@ -128,7 +128,7 @@ def solve(
     project : callable, optional
         project(y) returns the nearest allowed state; `solve` applies it after every step, for holonomic constraints.
     events : callable or list of callables, optional
-        `event(t, y, **parameters)` returns a number whose zeros are found, as in SciPy's solve_ivp.
+        `event(t, y, **parameters)` returns a number; `solve` finds its zeros, as SciPy's solve_ivp does.
     dense, report : bool
         Also return the motion as a function of time; also return statistics of the run.
 

@@ -37,7 +37,7 @@ class Estimate:
         self.steps, self.due = 0, PROBE
 
     def add(self, steps: int, t: float) -> None:
-        """Count `steps` that led to the time t; raise WorthCompiling if the rest repays it."""
+        """Count `steps` that led to the time t; raise WorthCompiling if compiling repays for the rest."""
         self.steps += steps
         if self.steps < self.due or t >= self.end:
             return
