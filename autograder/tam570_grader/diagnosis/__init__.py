@@ -1,1 +1,1 @@
-"""What did the student do: transforms of inputs and outputs, mutants of the solution, known mistakes."""
+"""Diagnosis of wrong submissions: known mistakes, transforms of inputs and outputs, mutants of the solution."""

@@ -1,4 +1,4 @@
-"""What is wrong in a function, and what the solution answers with that mistake in its place."""
+"""The cause of a failed check, with the solution's answers if it has this mistake."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -6,21 +6,21 @@ from dataclasses import dataclass
 from tam570.values import Numbers
 from tam570_grader.checks.case import Call
 
-Answer = Callable[[Call], Numbers]  # of the whole solution with a mistake in it, to a call of any function
+Answer = Callable[[Call], Numbers]  # answer(call), to a call of any function, of the solution with a mistake in it
 
 
 @dataclass(frozen=True)
 class Cause:
     """Why a check fails.
 
-    function     : whose results are wrong
-    message      : what the student reads; empty where it follows from an earlier cause
-    source       : "known mistake", "result", "transform", "mutant", "place"; "rule": the check told it by the rows of a
-                   motion; "own": the check found what it follows from
-    answers      : what the solution gives with this mistake in it, one for each way to make it; nothing follows of none
-    calls        : those that it explains
+    function     : the function whose results are wrong
+    message      : what the student reads; empty if the failure follows from an earlier cause
+    source       : "known mistake", "result", "transform", "mutant", "place"; "rule": the check sees it in the rows of a
+                   motion; "own": calls of the student's own functions show from which one it follows
+    answers      : the solution's answers with this mistake in it, for each way to make it; nothing follows if empty
+    calls        : the calls that it explains
     follows_from : the function with the mistake that explains these results
-    repeats      : an earlier function that was told the same
+    repeats      : an earlier function with the same message
     """
 
     function: str

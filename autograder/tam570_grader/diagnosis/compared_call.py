@@ -1,4 +1,4 @@
-"""A student's answer beside the right one, and whether another wrong answer explains it."""
+"""A student's result beside the right one, and whether another wrong answer explains it."""
 
 import functools
 from dataclasses import dataclass
@@ -12,32 +12,32 @@ from tam570_grader.checks.case import Call
 from tam570_grader.checks.motions import flat
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, is_motion, same, tolerance_of
 
-INFORMATIVE = 1e-3  # of the right answer: what is smaller may be what cancels
-CLEARLY = 0.03  # of the size of a column: where a motion is off by so much, its later rows need not be compared
-FEW = 3  # rows of a motion that is right
-SHARE = 8  # one of so many rows is compared first
-# Of the error of a column: two accurate integrations of one wrong equation differ by less, and another equation that
-# happens to be near it for these numbers by more. A column that is off by less than a tenth tells no more than that.
+INFORMATIVE = 1e-3  # of the right answer; smaller results may be rounding errors of terms that cancel
+CLEARLY = 0.03  # of the size of a column: after an error this large, the later rows of a motion need not be compared
+FEW = 3  # rows that are compared of a right motion
+SHARE = 8  # the first of this many parts of the rows is compared first
+# Of the error of a column: two accurate integrations of one wrong equation differ by less, those of another one with
+# similar numbers by more. For a column with less than a tenth of the largest error, a tenth of that is used instead.
 EXPLAINED, HARDLY = 3e-4, 0.1
 
 
 @dataclass(frozen=True)
 class ComparedCall(Call):
-    """A call, what came back, and the right answer; size: see `same`."""
+    """A call, the student's result, and the right answer; size: see `same`."""
 
     expected: Numbers
     size: float = 1.0
 
     def fits(self, answer: Numbers) -> bool:
-        """Return whether an answer has the student's numbers; None has none."""
+        """Return whether an answer agrees with the student's result; False for None."""
         is_numbers = self.result is not None and answer is not None
         return is_numbers and same(self.result, answer, tolerance_of(self), self.size)
 
     def numbers(self) -> set[bytes]:
-        """Return what is to be explained, where it is more than rounding beside the right answer.
+        """Return the results that must be explained, unless they may be rounding errors relative to the right answer.
 
-        Zeros tell nothing. A function without arguments has a single call, and each of its results tells; a formula has
-        a value at each of many points.
+        Zeros are not informative. A function without arguments has only one call, and each of its results counts; a
+        formula has a value at each of many points.
         """
         if self.case.points:
             return {value.tobytes() for value in np.asarray(self.result) if value}
@@ -49,17 +49,17 @@ class ComparedCall(Call):
 
 
 class Rows(ComparedCall):
-    """The first rows of a motion, to where it is clearly wrong: what comes later tells no more, and takes longer."""
+    """The first rows of a motion, until it is clearly wrong; later rows are no more informative, and take longer."""
 
     def fits(self, answer: Numbers) -> bool:
-        """Return whether it explains what is wrong in every column; a motion that is nearly right, it must leave so."""
+        """Return whether an answer explains the error of every column; a nearly right motion must stay so."""
         if answer is None or _shapes(answer) != _shapes(self.expected):
             return False
         return bool((_off(self.result, answer) <= self._left).all())
 
     @functools.cached_property
     def _left(self) -> Numbers:
-        """(columns,) what may be left of the error."""
+        """The largest error (columns,) that an explanation may leave."""
         off = _off(self.result, self.expected).max(axis=0)
         if off.max() <= OF_MOTIONS:
             return OF_MOTIONS
@@ -70,7 +70,7 @@ class Rows(ComparedCall):
 
 
 class Beginning(ComparedCall):
-    """The first rows of a motion, which most variants do not have: no other rows need be integrated for these."""
+    """The first rows of a motion, which rule out most variants before more rows must be integrated."""
 
     def fits(self, answer: Numbers) -> bool:
         return (
@@ -82,7 +82,7 @@ class Beginning(ComparedCall):
 
 
 def beginning(call: ComparedCall) -> Beginning | None:
-    """Return the first share of the rows of a motion; None if it is short, or no motion."""
+    """Return the first part of the rows of a motion; None if it is short, or not a motion."""
     count = max(FEW, len(call.case.args[0]) // SHARE) if isinstance(call, Rows) else 0
     if not count or count > len(call.case.args[0]) // 2:
         return None
@@ -92,7 +92,7 @@ def beginning(call: ComparedCall) -> Beginning | None:
 
 
 def compared_call(call: Call, expected: Numbers, size: float) -> ComparedCall:
-    """Return a call beside the right answer; of a motion the rows that tell."""
+    """Return a call beside the right answer; of a motion, only the informative rows."""
     if not is_motion(call) or _shapes(call.result) != _shapes(expected):
         return ComparedCall(call.name, call.case, call.result, expected, size)
     t, off = call.case.args[0], _off(call.result, expected).max(axis=1)
@@ -108,7 +108,7 @@ def _shapes(answer: Numbers) -> list[tuple[int, ...]]:
 
 
 def _off(result: Numbers, expected: Numbers) -> NDArray[np.float64]:
-    """(rows, columns) how far a motion is off, of the size of each column; infinite where it is no number."""
+    """Return the errors (rows, columns) of a motion, relative to the size of each column; infinite for NaN."""
     result, expected = flat(result), flat(expected)
     size = np.abs(expected).max(axis=0)
     with np.errstate(all="ignore"):

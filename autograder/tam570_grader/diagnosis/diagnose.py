@@ -1,4 +1,4 @@
-"""What did the student do? A mistake is named once; what follows from it is not accused."""
+"""Diagnose failed checks: name each mistake once, and do not charge what follows from it."""
 
 import functools
 from collections.abc import Iterable, Sequence, Set
@@ -31,22 +31,22 @@ def diagnose(  # noqa: PLR0913  what is known of a failed check
     is_told: bool = False,
     passed: Set[str] = frozenset(),
 ) -> Cause | None:
-    """Return why a check fails whose results do not follow, all of them, from an earlier cause.
+    """Return why a check fails, if its results do not all follow from an earlier cause.
 
     Parameters
     ----------
-    solution : the text of the reference solution
-    folder : the assignment's checks
-    calls : those that the failed check made, with the student's results
+    solution : source of the reference solution
+    folder : folder of the assignment's checks
+    calls : the calls of the failed check, with the student's results
     earlier : the causes of the checks that failed before it
     may_follow : whether the mistake may be that of one of these
-    is_told : whether the check says what is wrong: only a known mistake says more
-    passed : other functions, that passed their checks: no mistake is looked for in one of these
+    is_told : whether the check says what is wrong, so that only a known mistake says more
+    passed : other functions, which passed their checks: known mistakes in these are ruled out, mutants tried last
 
     Returns
     -------
     A known mistake, a transform of arguments or results, or a mutant of the
-    solution, of which one alone explains all calls; None if nothing does.
+    solution, if it is the only one that explains all calls; else None.
     """
     calls = [call for call in calls if call.result is None or right_answer(solution, call) is not None]  # not refused
     suspects = candidates(solution, folder, {call.name for call in calls})
@@ -62,7 +62,7 @@ def diagnose(  # noqa: PLR0913  what is known of a failed check
 
 
 def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause:
-    """Return the cause, beside the function that was told the same before; of a term or an argument it is one slip."""
+    """Return the cause, related to an earlier function with the same message: as one slip, if it may follow."""
     others = [(other.function, _told(other)) for other in earlier if other.source == cause.source and other.message]
     messages = {name: (_told(cause), _told(cause).replace(cause.function, name)) for name, _ in others}
     same = next((name for name, message in others if name != cause.function and message in messages[name]), "")
@@ -73,25 +73,22 @@ def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause
 
 
 def _told(cause: Cause) -> str:
-    """Return the message; of a sine for a cosine that of both exchanged, as where a function has both."""
+    """Return the message; instead of one of sine and cosine wrong, both exchanged, as in a function that has both."""
     single, both = KINDS["another function"].split("{}"), KINDS["sine and cosine"].split("{}")
     return functools.reduce(lambda text, words: text.replace(*words), zip(single, both, strict=True), cause.message)
 
 
 def follows(solution: str, calls: Sequence[Call], earlier: Iterable[Cause]) -> Cause | None:
-    """Return the cause of calls whose results are all the solution's with an earlier mistake in it.
-
-    None if there is none.
-    """
+    """Return the cause of calls whose results are all those of the solution with an earlier mistake; else None."""
     for cause in earlier:
         if any(explains(solution, answer, calls) for answer in cause.answers):
             wrong = next((call.name for call in calls if call.name != cause.function), cause.function)
-            return Cause(wrong, "", cause.source, follows_from=cause.function)  # nothing new follows from it
+            return Cause(wrong, "", cause.source, follows_from=cause.function)  # no answers: nothing follows from it
     return None
 
 
 def is_refuted(cause: Cause, passing: Iterable[Call]) -> bool:
-    """Return whether most results of the same function that are right would be wrong by this cause."""
+    """Return whether most right results of the cause's function would be wrong because of it."""
     its_calls = (call for call in passing if call.name == cause.function and call.result is not None)
     calls = [call for call in its_calls if not is_motion(call)]
     agreeing = [any(same(call.result, answer(call), tolerance_of(call)) for answer in cause.answers) for call in calls]
@@ -99,7 +96,7 @@ def is_refuted(cause: Cause, passing: Iterable[Call]) -> bool:
 
 
 def _in_common(solution: str, causes: Iterable[Cause], earlier: Sequence[Cause]) -> Cause | None:
-    """Return the cause that was made in an earlier function, too: these results follow from it."""
+    """Return the cause if an earlier function has the same mistake, from which these results follow; else None."""
     for cause, before in product(causes, earlier):
         if same := tuple(answer for answer in cause.answers if explains(solution, answer, before.calls)):
             return replace(cause, message="", answers=same, follows_from=before.function)

@@ -1,4 +1,4 @@
-"""The classical Runge-Kutta method with fixed steps: each known mistake that imports it takes its text along."""
+"""The classical Runge-Kutta method with fixed steps; known mistakes that import it get a copy of its source."""
 
 from collections.abc import Callable
 
@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 def runge_kutta(
     rates: Callable[[NDArray[np.float64]], ArrayLike], t: ArrayLike, start: ArrayLike, steps: ArrayLike
 ) -> NDArray[np.float64]:
-    """Return the states at the times t, with so many steps to each time, or for each its own number."""
+    """Return the states at the times t; `steps` is the number of steps to each next time, or one number for all."""
     rows = [np.array(start, float)]
     spans = np.diff(np.asarray(t, float))
     for span, count in zip(spans, np.broadcast_to(steps, spans.shape), strict=True):

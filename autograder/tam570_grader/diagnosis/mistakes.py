@@ -1,4 +1,4 @@
-"""Known mistakes: wrong submissions, each written once, that prove the checks and are what feedback names.
+"""Known mistakes: wrong submissions, each written once, which test the checks and which feedback names.
 
 They are decorated functions in the file `mistakes.py` beside the checks:
 
@@ -7,9 +7,9 @@ They are decorated functions in the file `mistakes.py` beside the checks:
         '''You let gravity pull up; it pulls down.'''
         return reference(*args, gravity=-gravity, **parameters)
 
-`reference` is the solution's own function of that name, which may be one of its helpers. The body sees the solution's
-names, and what `mistakes.py` imports or defines besides. The file is read, never imported: the solution with such a
-function in the place of its own is what the checks grade in the sandbox, and what diagnosis runs on a student's inputs.
+`reference` is the solution's own function of that name, which may be one of its helpers. The body can use the
+solution's names, and those that `mistakes.py` imports or defines. The file is read, never imported: checks grade the
+solution with such a function in place of its own, in the sandbox, and diagnosis runs it on a student's inputs.
 """
 
 import ast
@@ -38,27 +38,27 @@ from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.protocol.wire import packed
 
-CANCELLED = 1e-14  # what rounding leaves where numbers of order one cancel, and a wrong answer is exactly zero
-WITHIN = 1e-6  # random inputs tell mistakes further apart
-OF_MOTIONS = 1e-3  # two integrations of one wrong equation differ by their tolerances
-OF_A_STATE = 15  # numbers, at most
-MOST_ANSWERS = 2**26  # bytes; those of a class are the same
-MOST_CHANGES = 2**17  # of an answer by a mistake
-OF_AN_ANSWER = 1000  # bytes besides its numbers
+CANCELLED = 1e-14  # rounding error if numbers of order one cancel, and a wrong answer is exactly zero
+WITHIN = 1e-6  # relative tolerance: with random inputs, mistakes differ by more
+OF_MOTIONS = 1e-3  # relative tolerance: two integrations of one wrong equation differ by less
+OF_A_STATE = 15  # numbers in a state, at most
+MOST_ANSWERS = 2**26  # bytes in the cache; students with the same inputs share answers
+MOST_CHANGES = 2**17  # cached comparisons of an answer with and without a mistake
+OF_AN_ANSWER = 1000  # bytes per answer besides its numbers
 
 
 @dataclass(frozen=True)
 class Mistake:
-    """A wrong submission and what is known of it.
+    """A wrong submission, as `mistake` declares it.
 
-    name        : of the function, with a number from the second of a function on; or as its decorator says
+    name        : of the function, with a number from its second mistake on; or as the decorator says
     message     : the sentence for the student
     first_fails : the first check, in their order, that fails
-    text        : the definitions behind the solution's own that make the mistake
-    tolerance   : how closely a student's numbers must agree, of the largest; None: 1e-6, rows of a motion 1e-3
-    label       : only inputs whose label has these words are compared
-    compared    : False where a check says what it is, or nothing can: no number is compared
-    numerics    : its physics is right, and integrated inaccurately
+    text        : definitions that make the mistake if they are appended to the solution
+    tolerance   : largest difference from a student's numbers, relative to the largest; None: see `tolerance_of`
+    label       : only inputs whose label contains it are compared
+    compared    : False if a check itself names it, or nothing can: its numbers are not compared with a student's
+    numerics    : whether the physics is right, but integrated inaccurately
     """
 
     name: str
@@ -72,7 +72,7 @@ class Mistake:
 
     @functools.cached_property
     def defined(self) -> frozenset[str]:
-        """The names that it defines."""
+        """The names of the functions that it defines."""
         return frozenset(node.name for node in ast.parse(self.text).body if isinstance(node, ast.FunctionDef))
 
 
@@ -89,11 +89,11 @@ def mistake(  # noqa: PLR0913  the fields of a `Mistake`
     compared: bool = True,
     numerics: bool = False,
 ) -> Callable[[Body], Body]:
-    """Note a known mistake in a function of the solution.
+    """Declare a known mistake in a function of the solution; `mistakes` reads the declaration from the file.
 
     Parameters
     ----------
-    message : what a student reads: "You ...; ..."; left out, it is the docstring of the function
+    message : what a student reads: "You ...; ..."; default: the docstring of the function
     first_fails : the first check that fails
     name, tolerance, label, compared, numerics : see `Mistake`
     """
@@ -122,7 +122,7 @@ def mistakes(folder: Path) -> tuple[Mistake, ...]:
 
 
 def overlays(folder: Path) -> dict[str, str]:
-    """Return the text of each mistake, by name: a wrong submission if it is appended to the solution."""
+    """Return the source of each mistake, by name; appended to the solution, it makes a wrong submission."""
     return {known_mistake.name: known_mistake.text for known_mistake in mistakes(folder)}
 
 
@@ -144,35 +144,32 @@ def _decorated(text: str) -> Iterator[Mistake]:
 
 
 def _decorator(node: ast.stmt) -> ast.Call | None:
-    """Return the call of `mistake` that decorates a function."""
+    """Return the call of `mistake` that decorates a function, else None."""
     decorators = node.decorator_list if isinstance(node, ast.FunctionDef) else []
     calls = [decorator for decorator in decorators if isinstance(decorator, ast.Call)]
     return next((call for call in calls if getattr(call.func, "id", "") == "mistake"), None)
 
 
 def _carried(node: ast.stmt) -> str:
-    """Return the text of a statement; of the import of fixed steps, that module's."""
+    """Return the source of a statement; for an import of `fixed_steps`, the source of that module."""
     is_steps = isinstance(node, ast.ImportFrom) and node.module == fixed_steps.__name__
     return inspect.getsource(fixed_steps) if is_steps else ast.unparse(node)
 
 
 def _is_of_the_grader(node: ast.stmt) -> bool:
-    """Return whether a statement is for the reader of the file alone.
-
-    The docstring, and imports of checks and `mistake`.
-    """
+    """Return whether a statement is only for readers: the docstring, or an import of checks or of `mistake`."""
     imported = isinstance(node, ast.ImportFrom) and (node.level > 0 or node.module == __name__)
     return imported or (isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant))
 
 
 def _value(node: ast.expr) -> object:
-    """Return a literal; a check by its name."""
+    """Return the value of a literal, or the name of a check."""
     is_check = isinstance(node, ast.Name | ast.Attribute)
     return ast.unparse(node).rpartition(".")[2] if is_check else ast.literal_eval(node)
 
 
 def candidates(solution: str, folder: Path, functions: Container[str]) -> list[Mistake]:
-    """Return the mistakes that are compared with numbers, of those that change one of these functions."""
+    """Return the mistakes that numbers can show, and that change one of these functions or a function that it uses."""
     reach_of = frozenset().union(*(reach for name, reach in reached(solution).items() if name in functions))
     return [
         known_mistake
@@ -182,11 +179,11 @@ def candidates(solution: str, folder: Path, functions: Container[str]) -> list[M
 
 
 def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Call]) -> Cause | None:
-    """Return the first mistake that the calls agree with; None if there is none.
+    """Return the cause for the first mistake that agrees with the calls; None if there is none.
 
-    Of each function that the mistake changes, every result must be the mistake's, and one must be numbers.
+    Every result of each function that the mistake changes must be the mistake's, and one must be numbers.
     """
-    short_first = sorted(calls, key=lambda call: len(call.case.packed))  # most are told by a motion of a few rows
+    short_first = sorted(calls, key=lambda call: len(call.case.packed))  # a motion of a few rows excludes most mistakes
     groups = {name: [call for call in short_first if call.name == name] for name in {call.name for call in calls}}
     mistake = next((candidate for candidate in suspects if _explains_all(solution, candidate, groups)), None)
     if mistake is None:
@@ -197,10 +194,10 @@ def named_mistake(solution: str, suspects: Iterable[Mistake], calls: Sequence[Ca
 
 
 def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
-    """Whether what the solution answers with a mistake in it is what the student's functions returned in every call.
+    """Return whether the solution with a mistake in it gives what the student's functions returned in every call.
 
-    Some result must be wrong by it, and some number of it not zero: of nothing all kinds of nothing follow. A result
-    that is right, as in a case that has a branch for itself, needs no explanation.
+    Some result must be wrong because of it, and some number must not be zero, because zeros follow from many mistakes.
+    A right result, as in a case with its own branch, needs no explanation.
     """
     wrong = informative = False
     for call in sorted(calls, key=lambda call: len(call.case.packed)):
@@ -221,7 +218,7 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]
     for group in filter(None, compared):
         tolerance = mistake.tolerance or tolerance_of(group[0])
         changed = (_changed(solution, mistake.text, call, tolerance) for call in group)
-        size = max(1.0, *(largest(call.result) for call in group))  # beside it a result may cancel to rounding
+        size = max(1.0, *(largest(call.result) for call in group))  # relative to it, a result may cancel to rounding
         if all(same(call.result, answer(solution, mistake.text, call), tolerance, size) for call in group):
             informative = informative or (any(changed) and any(call.result is not None for call in group))
         elif any(changed):
@@ -230,26 +227,26 @@ def _explains_all(solution: str, mistake: Mistake, groups: dict[str, list[Call]]
 
 
 def tolerance_of(call: Call) -> float:
-    """Return how closely numbers must agree, of the largest: rows of a motion, or a quadrature, less so."""
+    """Return the tolerance, relative to the largest number: larger for rows of a motion, or a quadrature."""
     samples = (call.case.args or (None,))[0]
     is_integral = np.ndim(parts(call.result)[0]) == 0 and np.ndim(samples) == 1 and np.size(samples) > OF_A_STATE
     return OF_MOTIONS if is_integral or is_motion(call) else WITHIN
 
 
 def is_motion(call: Call) -> bool:
-    """Return whether the result has a row for each of the times; what is square is the matrix of a vector."""
+    """Return whether the result has a row for each of the times; a square result is the matrix of a vector."""
     times, shape = (call.case.args or (None,))[0], np.shape(parts(call.result)[0])
     return isinstance(times, np.ndarray) and len(shape) > 1 and times.shape == shape[:1] != shape[-1:]
 
 
 def right_answer(solution: str, call: Call) -> Numbers:
-    """Return the solution's answer to a call; None where it has none."""
+    """Return the solution's answer to a call; None if it has none."""
     value = answer(solution, "", call)
     return None if value is NoValue else value
 
 
 class NoValue:
-    """In the place of an answer: a wrong formula may have none where the right one has one."""
+    """Value in place of an answer: a wrong formula may have none for inputs for which the right one has a value."""
 
 
 def _bytes(answer: Numbers) -> int:
@@ -261,7 +258,7 @@ _changes = LruCache[bool](MOST_CHANGES)
 
 
 def answer(solution: str, text: str, call: Call) -> Numbers:
-    """Return the answer of the solution with a mistake, computed a single time for all who are given the same input."""
+    """Return the answer of the solution with a mistake, cached for all students who have the same input."""
     name, message = _named(solution, text), call.case.packed
 
     def compute() -> Numbers:
@@ -288,7 +285,7 @@ def _named(solution: str, text: str) -> str:
 
 
 def computed(module: ModuleType, call: Call) -> Numbers:
-    """Return the answer of a module's function to a call; `NoValue` where its formula has none."""
+    """Return the answer of a module's function to a call; `NoValue` if it raises an arithmetic or value error."""
     function, case = getattr(module, call.name), call.case
     try:
         with np.errstate(all="ignore"):
@@ -305,7 +302,7 @@ def computed(module: ModuleType, call: Call) -> Numbers:
 
 @functools.lru_cache(maxsize=256)
 def solution_with(solution: str, text: str) -> ModuleType:
-    """Return the solution as a module of its own, with the definitions of the mistake in the place of its own."""
+    """Return the solution as a new module, in which the definitions of the mistake replace its own."""
     module = sys.modules["_mistaken"] = ModuleType("_mistaken")  # a dataclass looks for its module there
     for part in (solution, text):
         exec(_code(part), vars(module))
@@ -318,9 +315,9 @@ def _code(text: str) -> CodeType:
 
 
 def same(result: Numbers, wrong: Numbers, tolerance: float, size: float = 1.0) -> bool:
-    """Return whether two answers agree within a tolerance, of the largest number; of no value each agrees.
+    """Return whether two answers agree, relative to the largest number; answers without a value agree.
 
-    size : of the numbers that cancel where a result is zero
+    size : of the numbers that cancel if a result is zero
     """
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
@@ -339,7 +336,7 @@ def _finite(result: Numbers) -> bool:
 
 
 def largest(result: Numbers) -> float:
-    """Return the largest finite number of a result by its size, 0 of none."""
+    """Return the largest size of the finite numbers of a result, 0 if it has none."""
     if result is None or result is NoValue:
         return 0.0
     sizes = np.abs(np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)]))

@@ -1,4 +1,4 @@
-"""Slips in the syntax tree of a module, which make it wrong: the audit grades them, and feedback looks for them.
+"""Slips in the syntax tree of a module that make it wrong: the audit grades them, and diagnosis searches them.
 
 The operators are the mistakes that people make with formulas: a sign, a factor of two, a term dropped or counted
 twice, sine for cosine, swapped arguments or indices, another exponent, a transposed product, a missing copy, the
@@ -46,14 +46,14 @@ OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
 }
 Node = TypeVar("Node", bound=ast.AST)
 Operator = Callable[[ast.expr], Iterator[ast.expr]]
-SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments
+SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments in any order
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """One mutant of a function: what is wrong, the expressions before and after, and the function's text with it.
+    """A mutant of a function: its operator, the expressions before and after, and the function's changed source.
 
-    product : the largest one that the expression is a factor of
+    product : the largest product that has the expression as a factor
     """
 
     operator: str
@@ -64,7 +64,7 @@ class Mutant:
 
 
 def mutants_of(source: str) -> dict[str, list[Mutant]]:
-    """Make the mutants of each function of a module, and more too near to these to need a test of their own."""
+    """Return the mutants of each function of a module: those of `OPERATORS`, which the audit grades, and of `MORE`."""
     lines, mutants = source.splitlines(keepends=True), dict[str, list[Mutant]]()
     functions = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
     public = {function.name for function in functions if function.name[0] != "_"}
@@ -84,7 +84,7 @@ def mutants_of(source: str) -> dict[str, list[Mutant]]:
 
 
 def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
-    """For each factor, by its id, the largest product that it is in."""
+    """Return the largest product that contains each factor, by the factor's id."""
     products: dict[int, ast.expr] = {}
     for node in ast.walk(function):  # from the outside in
         if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.Pow):
@@ -94,7 +94,7 @@ def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
 
 
 def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Operator"]:
-    """Return the operators that need to know what else the function has: one name for another of its kind."""
+    """Return the operators that depend on the function's other names, such as one quantity for another."""
     inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
     groups, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
     for node in ast.walk(function):
@@ -103,7 +103,7 @@ def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Op
             tuples = (each for each in ast.walk(target) if isinstance(each, ast.Tuple))
             groups += [{part.id for part in each.elts if isinstance(part, ast.Name)} for each in tuples]
             computed |= {id(value) for value in getattr(node.value, "elts", [node.value])}
-            vector = getattr(getattr(node.value, "left", None), "id", "")  # of r / norm(r)
+            vector = getattr(getattr(node.value, "left", None), "id", "")  # r in r / norm(r)
             value = node.value.right if isinstance(node.value, ast.BinOp) and vector else node.value
             if isinstance(target, ast.Name) and isinstance(value, ast.Call) and len(value.args) == 1:
                 argument = getattr(value.args[0], "id", "")
@@ -124,39 +124,39 @@ def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Op
 
 
 def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[ast.expr]:
-    """Yield what is computed from an argument becomes the argument."""
+    """Yield the argument in place of a name that is computed from it."""
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in raw:
         yield ast.Name(raw[node.id], ast.Load())
 
 
 def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
-    """Yield a product that has a name becomes zero."""
+    """Yield zero in place of a product that is assigned to a name."""
     if id(node) in computed and isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
         yield ast.Constant(0.0)
 
 
 def _multiples(node: ast.expr, computed: Set[int], public: Set[str]) -> Iterator[ast.expr]:
-    """Yield what another public function returns, and has a name, becomes twice and half of itself."""
+    """Yield the result of another public function, if it is assigned to a name, doubled and halved."""
     if id(node) in computed and isinstance(node, ast.Call) and _name_of(node.func) in public:
         yield from (_times(2, node), _times(0.5, node))
 
 
 def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
-    """Yield A becomes C of `A, C = inertia`, and the radius the offset."""
+    """Yield the other names of a group: C in place of A if `A, C = inertia`, or the offset in place of the radius."""
     if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
         others = {other for group in groups if node.id in group for other in group - {node.id}}
         yield from (ast.Name(other, ast.Load()) for other in sorted(others))
 
 
 def _other_powers(node: ast.expr, names: Set[str]) -> Iterator[ast.expr]:
-    """Yield one of two terms has a mass or a length too many, or too few."""
+    """Yield the sum with one of its two terms multiplied or divided by a mass or a length."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         for side, name, op in product(("left", "right"), sorted(names), (ast.Mult(), ast.Div())):
             yield _with(node, **{side: ast.BinOp(getattr(node, side), op, ast.Name(name, ast.Load()))})
 
 
 def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
-    """Yield p sin + q cos becomes p cos + q sin, whether these are called or have names."""
+    """Yield p cos + q sin in place of p sin + q cos, for calls or for names of one group."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         names, calls = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
         pairs = [pair for group in groups for pair in combinations(sorted(group & names), 2)]
@@ -165,7 +165,7 @@ def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[
 
 
 class _Renamed(ast.NodeTransformer):
-    """Gives other names to variables and to functions of modules."""
+    """Renames variables and functions of modules."""
 
     def __init__(self, names: Mapping[str, str]) -> None:
         self.names = names
@@ -178,7 +178,7 @@ class _Renamed(ast.NodeTransformer):
 
 
 def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
-    """One slip in every place: each sine a cosine, each square a product; or sine and cosine of one angle."""
+    """Yield mutants with a slip in every place: each sine a cosine, each square a product; or only of one angle."""
     expressions = [node for node in ast.walk(function) if isinstance(node, ast.expr)]
     calls = [node for node in expressions if isinstance(node, ast.Call) and len(node.args) == 1]
     angles = {ast.dump(node.args[0]) for node in calls if _name_of(node.func) in ("sin", "cos")}
@@ -186,7 +186,7 @@ def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
         ("sine and cosine", partial(_sines_and_cosines, ("sin", "cos"), angle)) for angle in (None, *sorted(angles))
     ]
     for name, operator in (*EVERYWHERE, *of_angles):
-        if not any(map(any, map(operator, expressions))):  # to copy the function takes longer than to see this
+        if not any(map(any, map(operator, expressions))):  # faster than to copy the function first
             continue
         changer = _InEveryPlace(operator)
         changed = changer.visit(function)
@@ -196,7 +196,7 @@ def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
 
 
 class _InEveryPlace(ast.NodeTransformer):
-    """Applies an operator to all expressions of a copy at once."""
+    """Applies an operator to all expressions of a copy."""
 
     def __init__(self, operator: "Operator") -> None:
         self.operator, self.places = operator, list[ast.expr]()
@@ -212,12 +212,12 @@ class _InEveryPlace(ast.NodeTransformer):
 
 @functools.lru_cache(maxsize=256)
 def reached(text: str) -> dict[str, set[str]]:
-    """For each function of a module those that it may come to call, itself among them."""
+    """Return, for each function of a module, all functions that it may call, directly or not, and itself."""
     body = ast.parse(text).body
     names_in = {node.name: names_used(node) for node in body if isinstance(node, ast.FunctionDef)}
     always = {
         name for node in body if not isinstance(node, ast.FunctionDef) for name in names_used(node) if name in names_in
-    }  # what runs at import
+    }  # names used at import
     reach_of = {name: {name, *(names & names_in.keys()), *always} for name, names in names_in.items()}
     while True:
         wider = {name: set().union(*(reach_of[inner] for inner in reach)) for name, reach in reach_of.items()}
@@ -227,7 +227,7 @@ def reached(text: str) -> dict[str, set[str]]:
 
 
 def names_reached(text: str, name: str) -> set[str]:
-    """Return the names that a function of a module may come to use; none where the module has no such function."""
+    """Return the names that a function of a module and those that it calls use; empty if there is no such function."""
     reach = reached(text).get(name, set())
     nodes = (node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef) and node.name in reach)
     return set().union(*map(names_used, nodes))
@@ -239,7 +239,7 @@ def names_used(node: ast.AST) -> set[str]:
 
 
 def replaced(source: str, node: ast.expr, text: str) -> str:
-    """Return the source with other text in the place of an expression."""
+    """Return the source with an expression replaced by a text."""
     lines = source.encode().splitlines(keepends=True)
     assert node.end_lineno is not None and node.end_col_offset is not None
     start = sum(map(len, lines[: node.lineno - 1])) + node.col_offset
@@ -251,9 +251,9 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
 def changed_expressions(
     function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
 ) -> Iterator[tuple[ast.expr, str, ast.expr]]:
-    """Yield every expression of a body, and what an operator makes of it; messages and tolerances are no physics.
+    """Yield each expression of a body, an operator's name and its result; leave out messages and tolerances.
 
-    chosen : other operators; a place in an array is no number of theirs
+    chosen : operators other than `OPERATORS`; these do not change constants in an index
     """
     spared = set[int]()
     for node in ast.walk(function):
@@ -279,7 +279,7 @@ def _signs(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _operations(node: ast.expr) -> Iterator[ast.expr]:
-    """Change an operation: a + b to a - b, a, b and a + 2 b; a * b to a / b; A @ B to B @ A and A.T @ B."""
+    """Yield a - b, a, b and a + 2 b in place of a + b; a / b of a * b; B @ A and A.T @ B of A @ B."""
     if not isinstance(node, ast.BinOp):
         return
     if type(node.op) in OPPOSITES:
@@ -298,7 +298,7 @@ def _exponents(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _factors(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a number becomes twice and half of itself."""
+    """Yield the number doubled and, for a float, halved."""
     if (
         isinstance(node, ast.Constant)
         and isinstance(node.value, int | float)
@@ -311,13 +311,13 @@ def _factors(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
-    """sin becomes cos, and so on."""
+    """Yield a call of the counterpart, such as cos in place of sin."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
         yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
 
 
 def _sines_and_cosines(names: Sequence[str], angle: str | None, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield sine and cosine, one of them or both, of one angle or of all, change places."""
+    """Yield cosine in place of sine, or sine in place of cosine, of one angle or, for None, of any."""
     if not isinstance(node, ast.Call) or _name_of(node.func) not in names or len(node.args) != 1:
         return
     if angle in (None, ast.dump(node.args[0])):
@@ -325,7 +325,7 @@ def _sines_and_cosines(names: Sequence[str], angle: str | None, node: ast.expr) 
 
 
 def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
-    """Yield a copy of an input becomes the input."""
+    """Yield the input in place of its copy."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         if node.func.attr == "array" and len(node.args) == 1 and getattr(node.args[0], "id", None) in inputs:
             yield node.args[0]
@@ -334,13 +334,13 @@ def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
 
 
 def _arguments(node: ast.expr) -> Iterator[ast.expr]:
-    """Neighbouring arguments, or parts of a tuple, change places."""
+    """Yield the call or tuple with two neighbouring arguments or elements exchanged."""
     if isinstance(node, ast.Call) and _name_of(node.func) in SYMMETRIC:
         return
     for field in ("args", "elts"):
         parts = getattr(node, field, [])
         if isinstance(node, ast.Lambda) or any(isinstance(part, ast.Slice) for part in parts):
-            continue  # A[:, 1] is no tuple
+            continue  # A[:, 1] is not a tuple
         if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
             for i in range(len(parts) - 1):
                 if not _equal(parts[i], parts[i + 1]):
@@ -364,7 +364,7 @@ def _transposes(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _conditions(node: ast.expr) -> Iterator[ast.expr]:
-    """< becomes <=, and becomes or; a choice takes the other branch always."""
+    """Yield <= in place of <, or in place of and; each branch in place of a conditional expression."""
     if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPPOSITES:
         yield _with(node, ops=[OPPOSITES[type(node.ops[0])]()])
     if isinstance(node, ast.BoolOp):
@@ -394,13 +394,13 @@ def _missing_factors(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _half_terms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a + b becomes a + b/2, and a/2 + b."""
+    """Yield a + b/2 and a/2 + b in place of a + b."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         yield from (_with(node, right=_times(0.5, node.right)), _with(node, left=_times(0.5, node.left)))
 
 
 def _other_indices(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield one of the first three components becomes each of the others that `_indices` leaves out."""
+    """Yield the third component in place of the first or second; `_indices` yields the others."""
     if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and node.slice.value in (0, 1):
         yield _with(node, slice=ast.Constant(2))
 
@@ -411,7 +411,7 @@ def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _signs_of_components(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a component, or one of several quantities, of the other sign."""
+    """Yield the list or tuple with the sign of one computed element reversed."""
     if isinstance(node, ast.List | ast.Tuple) and isinstance(node.ctx, ast.Load):
         for k, component in enumerate(node.elts):
             if isinstance(component, ast.BinOp | ast.Call) and not any(
@@ -421,19 +421,19 @@ def _signs_of_components(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _numbers(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a number becomes another of those that formulas have: 1/3 for 1/12, 2/5 for 1/2."""
+    """Yield the number times ratios of numbers in formulas, such as 4: 1/3 in place of 1/12."""
     if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
         yield from (ast.Constant(node.value * ratio) for ratio in RATIOS if node.value)
 
 
 def _linearised(node: ast.expr) -> Iterator[ast.expr]:
-    """sin x becomes x, and cos x 1."""
+    """Yield x in place of sin x and tan x, and 1 in place of cos x."""
     if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
         yield ast.Constant(1.0) if _name_of(node.func) == "cos" else node.args[0]
 
 
 def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
-    """om1**2 and om1 * om1 become om1 * om2."""
+    """Yield om1 * om2 in place of om1**2 and om1 * om1."""
     if isinstance(node, ast.BinOp) and _is_square(node):
         yield from (ast.BinOp(node.left, ast.Mult(), other) for other in _other(node.left))
     elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
@@ -443,13 +443,13 @@ def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _other(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the second of two quantities for the first, as their names have it, and the first for the second."""
+    """Yield the second of two quantities in place of the first, by the digit in its name, or the reverse."""
     if isinstance(node, ast.Name) and node.id[-1:] in "12":
         yield ast.Name(node.id[:-1] + "21"[int(node.id[-1]) - 1], ast.Load())
 
 
 def _missing_squares(node: ast.expr) -> Iterator[ast.expr]:
-    """hypot(a, b) loses the square of b, and a**2 + b**2 that of its size."""
+    """Yield sqrt(a**2 + b) in place of hypot(a, b), and sqrt(a**2 + b**2) in place of a**2 + b**2."""
     if isinstance(node, ast.Call) and _name_of(node.func) == "hypot" and len(node.args) == 2:
         first, second = node.args
         total = ast.BinOp(ast.BinOp(first, ast.Mult(), first), ast.Add(), second)
@@ -468,13 +468,13 @@ def _is_square(node: ast.expr) -> bool:
 
 
 def _missing_first_terms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a - b becomes -b."""
+    """Yield -b in place of a - b."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
         yield ast.UnaryOp(ast.USub(), node.right)
 
 
 def _missing_components(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a component, or one of several loads, becomes zero."""
+    """Yield the list or tuple with one computed element replaced by zero."""
     if not isinstance(node, ast.List | ast.Tuple) or not isinstance(node.ctx, ast.Load):
         return
     if not any(isinstance(part, ast.Slice) for part in node.elts):
@@ -489,7 +489,7 @@ def _tangents(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _roots(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a root is left out, or taken of what divides, or that is squared; of a power that is another exponent."""
+    """Yield x in place of sqrt(x), and a / sqrt(b) and a / b**2 of a / b; `_exponents` changes powers."""
     if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt" and len(node.args) == 1:
         yield node.args[0]
     divisor = node.right if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) else None
@@ -501,13 +501,13 @@ def _roots(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _frequencies(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the root that is a circular frequency becomes the frequency."""
+    """Yield the root, as a circular frequency, divided by 2 pi."""
     if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt":
         yield ast.BinOp(node, ast.Div(), ast.Constant(2 * math.pi))
 
 
 def _norms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the length of a vector becomes the sum of the sizes of its components."""
+    """Yield the sum of the absolute components in place of the norm of a vector."""
     if not (isinstance(node, ast.Call) and len(node.args) == 1):
         return
     name, (vector,) = _name_of(node.func), node.args
@@ -522,7 +522,7 @@ def _norms(node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _degrees(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield pi / 2 becomes 90, and the sine of an angle that of so many degrees."""
+    """Yield 90 in place of pi / 2, and the sine of an angle in degrees."""
     yield from _other_angles(180 / math.pi, node)
     yield from _other_sines(180 / math.pi, node)
 
@@ -533,13 +533,13 @@ def _other_sines(factor: float, node: ast.expr) -> Iterator[ast.expr]:
 
 
 def _other_angles(factor: float, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield pi / 2 becomes pi / 4, or -pi / 2."""
+    """Yield a share of pi times the factor, such as pi / 4 or -pi / 2 in place of pi / 2."""
     if _is_angle(node):
         yield _times(factor, node)
 
 
 def _is_angle(node: ast.expr) -> bool:
-    """Return whether it is a share of pi."""
+    """Return whether an expression is a multiple or a fraction of pi."""
     if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div)):
         return False
     sides = node.left, node.right
@@ -547,33 +547,33 @@ def _is_angle(node: ast.expr) -> bool:
 
 
 def _axes(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield "z" becomes "x" or "y"."""
+    """Yield "x" and "y" in place of "z", and so on."""
     if isinstance(node, ast.Constant) and node.value in ("x", "y", "z"):
         yield from (ast.Constant(axis) for axis in "xyz" if axis != node.value)
 
 
 def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield one of the two numbers of arctan2 becomes twice and half of itself."""
+    """Yield arctan2 with its first or second argument doubled: twice or half the tangent."""
     if isinstance(node, ast.Call) and _name_of(node.func) in ("arctan2", "atan2") and len(node.args) == 2:
         first, second = node.args
         yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
 
 
 def _other_thirds(factor: float, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a third, of a bar about its end, becomes a third and a quarter, a twelfth or a quarter."""
+    """Yield x / 3, as in a bar's inertia about its end, times the factor: 7/12, 1/12 or 1/4 of x."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 3:
         yield _times(factor, node)
 
 
 def _halves(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield x / 2 becomes x, and 0.5 becomes 1."""
+    """Yield x in place of x / 2, and 1 in place of 0.5."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 2:
         yield node.left
     elif isinstance(node, ast.Constant) and node.value == 0.5:
         yield ast.Constant(1.0)
 
 
-MOST_ALIKE = 3  # names of one kind: of a state, many mean something else
+MOST_ALIKE = 3  # names in a group; more names, as in a state, have different meanings
 RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
 MORE: dict[str, Operator] = {
     "a missing factor": _missing_factors,
@@ -612,7 +612,7 @@ EVERYWHERE: tuple[tuple[str, Operator], ...] = (
 
 
 def _with(node: Node, **fields: object) -> Node:
-    """Return a copy of the node, but for these fields."""
+    """Return a copy of the node with these fields changed."""
     return type(node)(**{**vars(node), **fields})  # copy.copy takes five times as long
 
 

@@ -1,8 +1,8 @@
-"""Mistakes that nobody has written down: a sign, a factor, a swapped pair, degrees, a missing term, found by trying.
+"""Search for mistakes that nobody has written down: a sign, a factor, a swapped pair, degrees, a missing term.
 
-Where no known mistake gives the student's numbers, two families of variants are tried on the same inputs. The first
+If no known mistake gives the student's numbers, two families of variants are tried on the same inputs. The first
 changes the arguments or the result of the right function; the second makes one slip in the solution's own code. A
-variant is named if it alone explains every call of the check, of which at least two are wrong.
+variant is named if it is the only one that explains every call of the check, of which at least two are wrong.
 """
 
 import ast
@@ -41,24 +41,24 @@ from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compa
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, is_motion, largest, right_answer, solution_with
 from tam570_grader.diagnosis.mutants import Mutant, mutants_of, names_used, reached
 
-FEWEST = 2  # wrong answers: one may agree by chance
-MOST = 1_000_000  # steps of all variants, about a second; what is named takes a third of them
-OF_ONE = 100_000  # steps of one variant in one call: a mutant may go round for ever
-VAGUE = "counts twice", "counts half"  # a number may be forgotten beside it, or be too many
+FEWEST = 2  # wrong answers: a single one may agree by chance
+MOST = 1_000_000  # steps of all variants, about a second; mistakes that are named take a third of them
+OF_ONE = 100_000  # steps of one variant in one call: a mutant may loop forever
+VAGUE = "counts twice", "counts half"  # a mutant is tried, too: it may be a missing number, or one too many
 REVERSED = "has the opposite sign"
 MISSING_TERM, MISSING_FACTOR = "a term{} is missing", "a factor{} is missing"
-ELEMENTS = 1000  # of a result, that are compared in a step
-FORMULA = 2_000  # steps that it takes to derive and to evaluate a formula
+ELEMENTS = 1000  # of a result, compared in one step
+FORMULA = 2_000  # steps for deriving and evaluating a formula
 Transform = Callable[[ComparedCall], Numbers]
 
 
 def general(
     solution: str, calls: Sequence[Call], others: Sequence[str] = (), passed: Set[str] = frozenset()
 ) -> Cause | None:
-    """Return the one variant of the right answers that has the student's numbers in every call, or None.
+    """Return the only variant of the right answers that matches the student's numbers in every call, else None.
 
-    others : texts with other right functions, for the solution's own
-    passed : functions of the student that passed: no slip is in these, nor in what they use
+    others : sources of other right functions, in place of the solution's own
+    passed : functions of the student that passed: mutants of these, and of what they use, are tried last
     """
     try:
         with limited(MOST):
@@ -68,7 +68,7 @@ def general(
 
 
 def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
-    """Return the calls beside the right answers; nothing where one failed, or has no right answer."""
+    """Return the calls beside the right answers; an empty list if one failed, or has no right answer."""
     if any(call.result is None for call in calls):
         return []
     expected, sizes = [right_answer(solution, call) for call in calls], dict[str, float]()
@@ -81,7 +81,7 @@ def _compared(solution: str, calls: Sequence[Call]) -> list[ComparedCall]:
 def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed: Set[str]) -> Cause | None:
     compared = _compared(solution, calls)
     compared += filter(None, map(beginning, compared))
-    # Those first that most variants are told from the student's by, at the least cost.
+    # First the calls that rule out most variants, at the least cost.
     compared.sort(key=lambda call: (call.fits(call.expected), len(call.case.packed)))
     wrong = [call for call in compared if not call.fits(call.expected)]
     names = {call.name for call in wrong}
@@ -94,7 +94,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     if len(set().union(*(call.numbers() for call in wrong))) < FEWEST:
         return None
     known_for = {str(call.case.kwargs) for call in wrong}
-    module = ModuleType("_varied")  # its own, to put mutants in
+    module = ModuleType("_varied")  # a new one, into which mutants are put
     exec(_code(solution), vars(module))
     vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
     other_result = partial(_other_result, solution, name, getattr(module, name), wrong[0], vary=vary)
@@ -107,7 +107,7 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
         mutant = _mutant_of_any(solution, others, module, name, compared, passed)
         cause = mutant if mutant and not (cause and mutant.message.endswith(KINDS["halves"])) else cause
     cause = cause or _for_one_word(solution, others, module, name, its_calls, passed, other_result)
-    if cause is None:  # what else an argument or a result may be, or the one place where the result is wrong
+    if cause is None:  # any other change of an argument or a result, or the only place where the result is wrong
         reference = getattr(module, name)
         change = _either_reversed(name, reference, its_calls)
         change = change or next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None)
@@ -118,13 +118,13 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
 def _other_result(  # noqa: PLR0913  as `other_results`
     solution: str, name: str, reference: Function, example: ComparedCall, calls: Sequence[ComparedCall], *, vary: bool
 ) -> Cause | None:
-    """Return the first wrong result that explains all calls."""
+    """Return the cause for the first wrong result that explains all calls."""
     results = other_results(name, reference, example, vary=vary)
     return _transformed(solution, name, next(_explaining(results, calls), None), source="result")
 
 
 def _other_argument(solution: str, module: ModuleType, name: str, its_calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return the one wrong argument, factor or word."""
+    """Return the cause for a wrong argument, factor, product or word, if no other of its family explains the calls."""
     reference = getattr(module, name)
     families = (
         other_arguments(name, reference, its_calls[0]),
@@ -139,7 +139,7 @@ def _other_argument(solution: str, module: ModuleType, name: str, its_calls: Seq
 def _transformed(
     solution: str, name: str, change: tuple[str, Transform] | None, source: str = "transform"
 ) -> Cause | None:
-    """Return the cause that a variant is; None without one."""
+    """Return the cause for a variant; None for None."""
     if change is None:
         return None
     words, transform = change
@@ -147,7 +147,7 @@ def _transformed(
 
 
 def _other_symbol(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return the one symbol of a formula that is taken for something else."""
+    """Return the cause for the only wrong symbol of a formula that explains all calls."""
     changes = other_symbols(name, calls[0].case.args[0]) if calls[0].case.points else ()
     variants = ((words, partial(_at_other_points, solution, change)) for words, change in changes)
     explaining = {words: change for words, change in variants if _explains(change, calls)}
@@ -155,7 +155,7 @@ def _other_symbol(solution: str, name: str, calls: Sequence[ComparedCall]) -> Ca
 
 
 def _at_other_points(solution: str, change: Callable[[Numbers], Numbers], call: Call) -> Numbers:
-    """Return the value of the solution's formula where its symbols have other values; nothing of other functions."""
+    """Return the value of the solution's formula with other values of its symbols; None for other functions."""
     if not call.case.points:
         return None
     points = Case(change(call.case.args[0]))
@@ -163,7 +163,7 @@ def _at_other_points(solution: str, change: Callable[[Numbers], Numbers], call: 
 
 
 def _either_reversed(name: str, reference: Function, calls: Sequence[ComparedCall]) -> tuple[str, Transform] | None:
-    """Return the argument of the wrong sign, where that of several gives the same numbers; it names them all."""
+    """Return an argument of the wrong sign, with words for all arguments whose wrong sign gives the same numbers."""
     explaining = [*_explaining(other_arguments(name, reference, calls[0]), calls)]
     if not explaining or not all(words.endswith(REVERSED) for words, _ in explaining):
         return None
@@ -174,7 +174,7 @@ def _either_reversed(name: str, reference: Function, calls: Sequence[ComparedCal
 def _explaining(
     family: Iterable[tuple[str, Transform]], calls: Sequence[ComparedCall]
 ) -> Iterator[tuple[str, Transform]]:
-    """Yield those of a family that explain all calls."""
+    """Yield the variants of a family that explain all calls."""
     return ((words, transform) for words, transform in family if _explains(transform, calls))
 
 
@@ -187,7 +187,7 @@ def _for_one_word(  # noqa: PLR0913  as `_mutant_of_any`
     passed: Set[str],
     other_result: Callable[[Sequence[ComparedCall]], Cause | None],
 ) -> Cause | None:
-    """Return the cause of wrong answers where an argument is one word; where it is another they are right."""
+    """Return the cause of answers that are wrong only if an argument is one certain word."""
     words = [[each for each in enumerate(call.case.args) if isinstance(each[1], str)] for call in calls]
     wrong = [each for each, call in zip(words, calls, strict=True) if not call.fits(call.expected)]
     only = next((each for each in wrong[0] if all(each in other for other in wrong)), None)
@@ -206,9 +206,9 @@ def _for_one_word(  # noqa: PLR0913  as `_mutant_of_any`
 
 
 def wrong_arguments(solution: str, calls: Sequence[Call], before: Sequence[Call]) -> Iterator[Cause]:
-    """Yield each wrong argument that explains all calls of a function.
+    """Yield the cause for each wrong argument that explains all calls of a function.
 
-    There may be several, of which one was made before, in calls that may have other words.
+    There may be several, one of which was made before, in calls that may have other words.
     """
     compared = _compared(solution, calls)
     if len({call.name for call in compared}) != 1:
@@ -222,7 +222,7 @@ def wrong_arguments(solution: str, calls: Sequence[Call], before: Sequence[Call]
 
 
 def _with_variant(solution: str, name: str, transform: Transform) -> tuple[Answer, ...]:
-    """Compute the solution with a variant of one of its functions, or with a wrong argument in all of them."""
+    """Return answers of the solution with a variant of one function, or with a wrong argument, also in every one."""
     if isinstance(transform, WrongArgument):
         return partial(_everywhere, solution, transform), _InPlace(solution, name, transform)
     return (_InPlace(solution, name, transform),)
@@ -238,7 +238,7 @@ def _everywhere(solution: str, wrong: WrongArgument, call: Call) -> Numbers:
 
 @dataclass(frozen=True)
 class _InPlace:
-    """The solution with a variant in the place of one of its functions, whatever its others make of it."""
+    """The solution with a variant in place of one of its functions, which the others call."""
 
     solution: str
     name: str
@@ -252,13 +252,13 @@ class _InPlace:
 
     @functools.cached_property
     def _module(self) -> ModuleType:
-        module = solution_with.__wrapped__(self.solution, "")  # its own
+        module = solution_with.__wrapped__(self.solution, "")  # a new one, to be changed
         reference = getattr(module, self.name)
 
         def varied(*args: Numbers, **kwargs: Numbers) -> Numbers:
             try:
                 expected = None if isinstance(self.transform, WrongArgument) else reference(*args, **kwargs)
-            except ValueError:  # with another argument it may have a value
+            except ValueError:  # the variant may have a value
                 expected = np.nan
             return self.transform(ComparedCall(self.name, Case(*args, **kwargs), None, expected))
 
@@ -271,7 +271,7 @@ def _explains(transform: Transform, calls: Sequence[ComparedCall]) -> bool:
 
 
 def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
-    """Return the answer of a variant; None where it has none, whatever is in its way."""
+    """Return the answer of a variant; None if it raises an exception, or takes too many steps."""
     count(FORMULA if call.case.points else 1 + sum(map(np.size, parts(call.expected))) // ELEMENTS)
     try:
         with np.errstate(all="ignore"), warnings.catch_warnings(action="ignore"), limited(OF_ONE):
@@ -283,13 +283,13 @@ def _quietly(transform: Transform, call: ComparedCall) -> Numbers:
 def _mutant_of_any(
     solution: str, others: Sequence[str], module: ModuleType, name: str, calls: Sequence[ComparedCall], passed: Set[str]
 ) -> Cause | None:
-    """Return what the mutants of the solution, or of it with other functions, are that explain all calls."""
+    """Return the cause for mutants of the solution, or of it with other functions, that explain all calls."""
     public = set(inspect.signature(getattr(module, name)).parameters)
     for other in ("", *others):
         reach_of = reached(other or solution)
         reach = reach_of.get(name, set())
         likely = reach.difference(*(reach_of.get(each, ()) for each in passed))
-        for suspects in filter(None, (likely, reach - likely)):  # a copy of what is right elsewhere may be wrong
+        for suspects in filter(None, (likely, reach - likely)):  # students may copy what is right elsewhere wrongly
             exec(_code(other), vars(module))
             if mutant := _mutant(other or solution, module, name, calls, public, suspects):
                 words, texts = mutant
@@ -301,9 +301,9 @@ def _mutant_of_any(
 def _mutant(
     solution: str, module: ModuleType, name: str, calls: Sequence[ComparedCall], public: Set[str], suspects: Set[str]
 ) -> tuple[str, list[str]] | None:
-    """Say of the mutants that explain all calls, if they are of one kind, and the functions with them.
+    """Return the words and sources of the mutants that explain all calls, if all have the same words; else None.
 
-    public : the arguments of the function
+    public : the parameters of the function
     suspects : the functions of the solution that may have the slip
     """
     texts: dict[str, dict[str, str]] = {}
@@ -320,15 +320,15 @@ def _mutant(
                 factors.setdefault(words, set()).add(factor)
             setattr(module, helper, reference)
     if MISSING_FACTOR in texts:
-        texts.pop(MISSING_TERM, None)  # what is left beside it is 1
+        texts.pop(MISSING_TERM, None)  # without the term, the factor is 1
     if len(texts) > 1:
-        texts.pop(KINDS["half a term"], None)  # it has a factor that is missing, or a number
+        texts.pop(KINDS["half a term"], None)  # others name the missing factor, or the number
     if len(texts) > 1:
-        texts.pop(KINDS["a factor"], None)  # a number is in the term that counts twice
-        texts.pop(KINDS["two exchanged"], None)  # a sine and a cosine
-        texts.pop(KINDS["linearised"], None)  # a cosine is a factor
+        texts.pop(KINDS["a factor"], None)  # the number is in the term that counts twice
+        texts.pop(KINDS["two exchanged"], None)  # these are a sine and a cosine
+        texts.pop(KINDS["linearised"], None)  # the cosine is the missing factor
     if len(texts) > 1:
-        texts.pop(KINDS["ignored"], None)  # the quantity is a term
+        texts.pop(KINDS["ignored"], None)  # the quantity is the missing term
         texts = {words: by_term for words, by_term in texts.items() if not words.startswith("the result of")}
     if len(texts) != 1:
         return None
@@ -341,9 +341,9 @@ def _mutant(
 
 
 def _rarity(words: str) -> int:
-    """Return the rank of a kind of mutant: it is told only where none of a lower rank explains the calls."""
+    """Return the rank of a kind of mutant, which is named only if none of a lower rank explains the calls."""
     if words in (KINDS["halves"], KINDS["a number"]):
-        return 0 if words == KINDS["halves"] else 3  # few are of the first kind, and hardly another has their numbers
+        return 0 if words == KINDS["halves"] else 3  # halves: few mutants, whose numbers hardly any other has
     return 2 if words.startswith(("a term{} has", "a term{} lacks")) else 1
 
 
@@ -354,13 +354,13 @@ def _called(module: ModuleType, call: ComparedCall) -> Numbers:
 
 
 def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> tuple[Answer, ...]:
-    """Return the mutants of what two functions of a text share, that explain all calls of the first."""
+    """Return the answers of mutants in what two functions of a source share, which explain all calls of the first."""
     reach_of = reached(text)
     if not {name, other} <= reach_of.keys() or not reach_of[name] & reach_of[other]:
         return ()
     try:
         with limited(MOST):
-            module = solution_with.__wrapped__(text, "")  # its own, to put mutants in
+            module = solution_with.__wrapped__(text, "")  # a new one, into which mutants are put
             public = {*inspect.signature(getattr(module, name)).parameters, *calls[0].case.kwargs}
             mutant = _mutant(text, module, name, _compared(text, calls), public, reach_of[name] & reach_of[other])
     except Exhausted:
@@ -369,7 +369,7 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
 
 
 def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Cause | None:
-    """Return where an array is wrong, if it is in one place or one column, and the others are not mere zeros."""
+    """Return the cause if an array is wrong in only one place or column, and the others are not only zeros."""
     pairs = [(call.result, call.expected) for call in calls]
     forms = [() if isinstance(part, tuple) else np.shape(part) for pair in pairs for part in pair]
     is_matrix, form = {len(each) for each in forms} == {2}, forms[0]
@@ -394,7 +394,7 @@ def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Ca
 
 
 def _wrong_in_place(solution: str, name: str, place: tuple[int | slice, ...], call: Call) -> Numbers:
-    """Return the right answer with the student's number in one place; that of another function as it is."""
+    """Return the right answer with the student's number in one place; for other functions the right answer."""
     expected = answer(solution, "", call)
     if call.name == name and np.shape(call.result) == np.shape(expected) != ():
         expected = np.array(expected)
@@ -404,7 +404,7 @@ def _wrong_in_place(solution: str, name: str, place: tuple[int | slice, ...], ca
 
 @functools.cache
 def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
-    """Of each mutant that has words: the function, the words, the names in the term, the factor it lacks, its text."""
+    """Return (function, words, names in the term, missing factor, source) of each mutant that has words."""
     parameters, locals_of, documented = _unpacked(solution), _locals(solution), _documented(solution)
     return [
         (
@@ -426,7 +426,7 @@ def _mutants(solution: str) -> list[tuple[str, str, set[str], str, str]]:
 
 
 def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:
-    """Return the names in a term; where none is a parameter, what they are computed from."""
+    """Return the names in a term; if none is a parameter, the names from which they are computed."""
     names = seen = names_used(term)
     while names and not any(isinstance(quantities.get(name), ast.Name) for name in names):
         names = set().union(*(names_used(quantities[name]) for name in names if name in quantities)) - seen
@@ -435,7 +435,7 @@ def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:
 
 
 def _documented(solution: str) -> set[str]:
-    """Return the words that students read of a file; "a" is an article."""
+    """Return the words in the docstrings that students read, except for the article "a"."""
     tree = ast.parse(solution)
     documented: list[ast.Module | ast.FunctionDef] = [tree]
     documented += [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name[0] != "_"]
@@ -443,7 +443,7 @@ def _documented(solution: str) -> set[str]:
 
 
 def _unpacked(solution: str) -> dict[str, str]:
-    """Return what the parts of an argument are called: `m1, m2 = masses`; a helper may take them from another."""
+    """Return {part: argument} of unpacked arguments: `m1, m2 = masses`; public functions overwrite helpers."""
     functions = (node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef))
     return {
         part.id: value.id
@@ -456,7 +456,7 @@ def _unpacked(solution: str) -> dict[str, str]:
 
 
 def _assigned(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
-    """Yield what each expression is assigned to; of tuples on both sides, part by part."""
+    """Yield (target, value) of each assignment; of tuples on both sides, part by part."""
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))
@@ -465,7 +465,7 @@ def _assigned(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
 
 
 def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
-    """For each function the quantities that it computes, each from an expression; what students know has its name."""
+    """Return, for each function, the expressions that it assigns to names; a name that students know is its own."""
     functions = [node for node in ast.parse(solution).body if isinstance(node, ast.FunctionDef)]
     arguments = {function.name: (*function.args.args, *function.args.kwonlyargs) for function in functions}
     public = _documented(solution).union(*({side.arg for side in arguments[f]} for f in arguments if f[0] != "_"))
@@ -483,7 +483,7 @@ def _locals(solution: str) -> dict[str, dict[str, ast.expr]]:
 
 
 def _missing(mutant: Mutant, factor: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
-    """Return what is missing, and beside which parameters; "" if it has no short name."""
+    """Return words for a missing factor, or an ignored quantity, and the parameters beside it; "" if it is long."""
     if mutant.operator not in ("a missing factor", "ignored"):
         return ""
     words, names = _in_parameters(factor, quantities), names_used(mutant.product) - names_used(factor)
@@ -496,7 +496,7 @@ def _missing(mutant: Mutant, factor: ast.expr, quantities: Mapping[str, ast.expr
 
 
 def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
-    """Return a factor as a student may have written it; "" if that is long, or not of parameters alone."""
+    """Return a factor as a student may have written it; "" if that is long, or has names that are no parameters."""
 
     class InParameters(ast.NodeTransformer):
         def visit_Name(self, node: ast.Name) -> ast.expr:
@@ -505,7 +505,7 @@ def _in_parameters(term: ast.expr, quantities: Mapping[str, ast.expr]) -> str:
 
     try:
         text = ast.unparse(InParameters().visit(copy.deepcopy(term)))
-    except RecursionError:  # it is computed from itself
+    except RecursionError:  # the quantity is computed from itself
         return ""
     words = re.sub(r"\b(math|np|numpy)\.", "", text)
     return (
@@ -522,9 +522,9 @@ def _code(text: str) -> CodeType:
 
 
 def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str, ast.expr]]:
-    """Yield what a student reads of a mutant, and the term that it is about.
+    """Yield the words that a student reads of a mutant, and the term that they are about.
 
-    parameters : what the parts of an argument belong to
+    parameters : {part: argument} of unpacked arguments
     """
     was, now = mutant.was, mutant.now
     if mutant.operator in WHOLE:
@@ -551,7 +551,7 @@ def _words(mutant: Mutant, parameters: Mapping[str, str]) -> Iterator[tuple[str,
 
 
 def _dropped(was: ast.expr, now: ast.expr) -> ast.expr:
-    """Return the first term of a difference that is missing, or the component."""
+    """Return the missing first term of a difference, or the missing component."""
     if isinstance(was, ast.BinOp):
         return was.left
     assert isinstance(was, ast.List | ast.Tuple) and isinstance(now, ast.List | ast.Tuple)
@@ -559,7 +559,7 @@ def _dropped(was: ast.expr, now: ast.expr) -> ast.expr:
 
 
 def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, ast.expr]]:
-    """Yield the words of a mutant of a sum or a product, and the term."""
+    """Yield the words for a mutant of a sum or a product, and the term that they are about."""
     now, is_sum = mutant.now, isinstance(was.op, ast.Add | ast.Sub)
     if mutant.operator == "a missing factor":
         dropped = was.right if now is was.left else was.left
@@ -580,7 +580,7 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
     elif mutant.operator == "half a term":
         yield KINDS[mutant.operator], was.left if was.right in ast.iter_child_nodes(now) else was.right
     elif is_sum and now is was.right and isinstance(was.op, ast.Sub):
-        return  # that has another sign, too
+        return  # has another sign, too
     elif is_sum and now in (was.left, was.right):
         term = was.left if now is was.right else was.right
         is_number = isinstance(term, ast.Constant) or ast.unparse(term) == "t[0]"
@@ -598,14 +598,14 @@ def _words_of_operation(mutant: Mutant, was: ast.BinOp) -> Iterator[tuple[str, a
 
 
 def _is_square_of_half(sine: ast.expr, product: ast.expr) -> bool:
-    """Return whether it is the sine or cosine of half an angle, squared in the product."""
+    """Return whether the sine or cosine has half an angle as its argument, and is squared in the product."""
     halves = [part.value for part in ast.walk(sine) if isinstance(part, ast.Constant)]
     powers = [node.left for node in ast.walk(product) if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow)]
     return sine in powers and halves in ([2], [0.5])
 
 
 OF_TERMS = "a missing component", "a missing first term", "the sign of a component"
-WHOLE = (  # of these the whole expression is meant
+WHOLE = (  # of these operators, the words are about the complete expression
     *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
     *("a norm", "degrees", "radians", "half an angle", "the sign of an angle", "parts of a tangent", "ignored"),
     *("a frequency", "the parallel axis", "about the mass centre", "without its turning", "halves"),
