@@ -136,7 +136,7 @@ def test_a_mistake_in_a_helper_is_told_once(checked, sign, form):
     assert following(actual) == {(name, "linear_momentum_balance") for name in functions}
 
 
-@pytest.mark.parametrize(("drag", "weight"), [("-", "mass * gravity"), ("-0.7 * ", "1.2 * gravity")])  # first: named
+@pytest.mark.parametrize(("drag", "weight"), [("-", "mass * gravity"), ("-0.7 * ", "1.2 * gravity")])  # named, unnamed
 def test_a_flight_follows_from_its_own_rates(checked, drag, weight):
     integrated = 'solve(_rates, t, start, parameters={"rate": drag / mass, "gravity": gravity}'
     own_call = 'solve(state_derivative, t, start, parameters={"mass": mass, "drag": drag, "gravity": gravity}'

@@ -1,4 +1,4 @@
-"""What the grader spends on one check is counted: one that asks for too much fails alone, and the next ones run."""
+"""The grader limits the work and memory of each check: a check that needs too much fails, and the others run."""
 
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -44,7 +44,7 @@ def grows(*_):
 
 @pytest.fixture
 def evaluated(course, zygotes, solution_text, monkeypatch):
-    """`judged(run, name)` -> the result where the check of this name runs something else; right answers otherwise."""
+    """`evaluated(run, name, text)` -> the result if the check `name` calls `run`; the default text is the solution."""
     assignment = assignments.assignment(course, SLUG)
     monkeypatch.setattr(run_checks, "budget", lambda: budget.budget(FEW, LITTLE))
 
@@ -66,7 +66,7 @@ def test_a_check_that_does_not_end_fails_alone(run, words, evaluated, course):
 
 
 def test_memory_is_limited_where_a_cluster_grades_in_a_thread_of_its_own(evaluated, course):
-    assert evaluated().score == 10  # the worker has started, here: it ends with the thread that starts it
+    assert evaluated().score == 10  # starts the zygote in this thread, because it ends with its thread
     name = assignments.assignment(course, SLUG).checks[-1].name
     with ThreadPoolExecutor(1) as pool:
         result = pool.submit(evaluated, grows, name).result()
@@ -96,7 +96,7 @@ def test_steps_are_counted_of_rates_that_are_traced_and_would_be_compiled():
 
 @pytest.mark.parametrize("number", first(1, ["1e300", "-1e30", "1e6"]))
 def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_text, course):
-    """To follow the right motion from such a row would take for ever."""
+    """No check runs out of its budget, though an integration from such a row would never end."""
     slug = "hw10_free_rigid_body"
     absurd = "\n\ndef simulate(t, R, omega, *, inertia):\n    return [np.stack([x, *{}[1:]]) for x in (omega, R)]"
     absurd = absurd.format(f"np.full((len(t), *np.shape(x)), {number})")
@@ -104,7 +104,7 @@ def test_rows_that_are_absurd_are_judged_by_every_check(number, grade, solution_
     assert result.status == "graded"
     assert not any(check.message and "to judge" in check.message for check in result.checks)
     lines = {check.name: check.title for check in assignments.assignment(course, slug).checks}
-    of_motions = ("simulate", "plot_rim_paths")  # which calls it
+    of_motions = ("simulate", "plot_rim_paths")  # plot_rim_paths calls simulate
     assert all(check.outcome == "passed" for check in result.checks if not lines[check.name].startswith(of_motions))
 
 

@@ -1,4 +1,4 @@
-"""A cluster of real processes on this machine: whatever dies in it, the results are those of one machine."""
+"""A cluster of processes on this machine: if some of them die, the results still equal those without a cluster."""
 
 import json
 import os
@@ -40,7 +40,7 @@ def tree(tmp_path_factory, solution_text):
 
 @pytest.fixture(scope="module")
 def alone(tree, tmp_path_factory):
-    """The results of one machine."""
+    """Return the outcome of a run without a cluster."""
     out = tmp_path_factory.mktemp("alone")
     with grading(tree, out) as coordinator:
         assert coordinator.wait() == 0
@@ -49,7 +49,7 @@ def alone(tree, tmp_path_factory):
 
 @contextmanager
 def started(module, *arguments, **more):
-    """A process that is killed at the end, if it is still there."""
+    """Start a process; kill it at the end of the block if it still runs."""
     command = [sys.executable, "-m", module, *map(str, arguments)]
     with subprocess.Popen(command, text=True, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, **more) as process:
         try:
@@ -78,7 +78,7 @@ class Net:
 
     @property
     def address(self):
-        wait_for(lambda: self._file.exists() and self._file.read_text().rstrip().endswith("}"))  # written to its end
+        wait_for(lambda: self._file.exists() and self._file.read_text().rstrip().endswith("}"))  # completely written
         return json.loads(self._file.read_text())["address"]
 
     def worker(self, **more):
@@ -146,7 +146,7 @@ def test_who_has_no_certificate_is_kept_out(net, tree, tmp_path, capsys):
             assert coordinator.wait() == 2
             assert "no scheduler lets us in" in coordinator.stderr.read()
         with started("tam570_grader", "certificates", others) as repeated:
-            assert repeated.wait() == 2  # nobody's keys are overwritten
+            assert repeated.wait() == 2  # existing keys are not overwritten
 
 
 def test_a_worker_without_bubblewrap_refuses_unless_told_otherwise(net, tree, tmp_path):

@@ -1,4 +1,4 @@
-"""Supervisors as processes: one that dies costs a try and nothing else, and none outlives the run."""
+"""Supervisor processes: if one dies, only its task is tried again, and none outlives the run."""
 
 import functools
 import os
@@ -38,13 +38,13 @@ print(sum(record["score"] for record in batch.records(config)))
 
 
 def leave_trace(folder, task):
-    """Leave a file for this try of a task."""
+    """Create a file that records this try of a task; return the task."""
     (folder / f"{task}-{os.getpid()}-{time.monotonic_ns()}").touch()
     return task
 
 
 def die(folder, tasks, times, task):
-    """Die in some tasks, so many times."""
+    """Kill this process in the first `times` tries of each task in `tasks`; return other tasks."""
     leave_trace(folder, task)
     if task in tasks and tries(folder, task) <= times:
         os.kill(os.getpid(), signal.SIGKILL)
@@ -117,7 +117,7 @@ def test_all_jobs_share_a_sandbox_and_what_is_loaded():
 
 
 def motion(folder, seconds):
-    """A right answer that is expensive, and leaves a file each time that it is computed."""
+    """Return an expected result after `seconds` of processor time; create a file for each computation."""
     leave_trace(Path(folder), "motion")
     began = time.thread_time()
     while time.thread_time() - began < seconds:
@@ -130,7 +130,7 @@ def test_what_is_right_is_known_after_a_rehearsal(grade, course, solution_text, 
     slug, seed = "hw11_disk_steady", 5700 + rehearsed
     if rehearsed:
         rehearse(assignments.assignment(course, slug), seed)
-    monkeypatch.setattr(expected, "shared", None)  # by which all is computed
+    monkeypatch.setattr(expected, "shared", None)  # which computes all expected results
     assert grade(slug, solution_text(slug), seed).score == score
 
 
@@ -139,10 +139,10 @@ def test_what_is_expensive_is_computed_once_a_run_the_same_to_the_last_bit(tmp_p
     (tmp_path / "shared").mkdir()
     actual = []
     with expected.sharing(tmp_path / "shared"):
-        for _ in range(2):  # two processes, as far as the memory of one is concerned
+        for _ in range(2):  # an empty cache stands for a new process
             monkeypatch.setattr(expected, "_known", expected.LruCache(5))
             actual.append(expected.expected_result(motion, Case(str(tmp_path), seconds)))
     assert tries(tmp_path, "motion") == computed
     assert {type(item) for item in actual} == {tuple}
     assert all(np.array_equal(*pair) for pair in zip(*actual, strict=True))
-    actual[1][0][0] = 0.0  # no read-only memory
+    actual[1][0][0] = 0.0  # raises if the memory is read-only

@@ -1,4 +1,4 @@
-"""Faults of the machine: kills at any moment, a clock that jumps, load that slows it, change no result."""
+"""Processes killed at any moment, a clock that jumps, and a busy machine change no result."""
 
 import contextlib
 import fcntl
@@ -18,12 +18,12 @@ from tam570_grader.audit.gradings import submissions
 from tam570_grader.grading import batch
 from tam570_grader.results import store
 
-SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # of the class
-BUSY = 2  # loops beside the two jobs on one processor: each has a quarter of it, at most
+SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # a third each
+BUSY = 2  # busy loops on the same processor as the two jobs: each job has a quarter of it
 
 
 def class_of(count, folder, text):
-    """Submissions that differ, right ones, wrong ones and refusals in turn."""
+    """Write `count` different submissions, in turn correct, wrong and raising; return their folder."""
     return hand_in(folder, {f"s{i:03}": f"{text}\n# {i}\n{SHARES[i % len(SHARES)]}" for i in range(count)})
 
 
@@ -41,7 +41,7 @@ def run_to_end(process):
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="finds processes in /proc")
 def test_a_run_killed_at_random_moments_ends_as_an_undisturbed_one(tmp_path, solution_text, students=60, runs=7):
-    """Twice any process below the command, or itself, then the command: a submission is tried three times in a run."""
+    """Kill two random processes of each run, then the command: a submission has three tries in a run."""
     tree = class_of(students, tmp_path / "submitted", solution_text(HW08))
     began = time.monotonic()
     run_to_end(grading(tree, tmp_path / "calm"))
@@ -66,7 +66,7 @@ def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_one
     real, calls = fcntl.flock, []
 
     def late(file, how):
-        """The other run ends between the opening of the file and its lock."""
+        """End the other run after this run has opened the file and before it locks it."""
         calls.append(file)
         if len(calls) == 1:
             first.close()
@@ -81,7 +81,7 @@ def test_who_opens_results_that_another_run_is_replacing_writes_into_the_new_one
 
 
 def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, monkeypatch):
-    """What replaces the results is the last that it writes."""
+    """The last file that a run replaces is its results."""
     replaced, real = [], os.replace
     monkeypatch.setattr(os, "replace", lambda draft, path: replaced.append(path.name) or real(draft, path))
     with contextlib.closing(store.ResultStore(tmp_path)) as book:
@@ -91,9 +91,9 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
 
 
 def test_neither_a_clock_that_jumps_nor_more_processes_change_a_result(tmp_path, solution_text, monkeypatch):
-    """An hour forwards, then a day back, at every look at it; nor does the number of processes change one."""
+    """The clock jumps a day back, then an hour forward, each time it is read; one run has two processes."""
     tree = class_of(2, tmp_path / "submitted", solution_text(HW08))
-    monkeypatch.setattr(batch, "FEW", 1)  # a process each
+    monkeypatch.setattr(batch, "FEW", 1)  # a process for each submission
     command = ["grade", str(tree), "--seed", "5", "--out"]
     assert cli.main([*command, str(tmp_path / "calm"), "--jobs", "2"]) == 0
     real, jumps = time.time, iter(range(10**6))
@@ -104,7 +104,7 @@ def test_neither_a_clock_that_jumps_nor_more_processes_change_a_result(tmp_path,
 
 @contextlib.contextmanager
 def busy_machine():
-    """What is started meanwhile shares one processor with loops; the others are free for other tests."""
+    """Bind this process and those that it starts to one processor with busy loops; leave the others to other tests."""
     processors = sorted(os.sched_getaffinity(0))
     os.sched_setaffinity(0, {processors[os.getpid() % len(processors)]})
     loops = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(BUSY)]

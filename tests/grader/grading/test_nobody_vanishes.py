@@ -1,4 +1,4 @@
-"""Whatever a student hands in, under whatever name, has a row, or a warning that names the file and the remedy."""
+"""Each file that a student hands in, under any name, gets a row, or a warning that names the file and the remedy."""
 
 import shutil
 import unicodedata
@@ -126,7 +126,7 @@ def test_the_assignments_of_one_student_are_no_students(run, tmp_path, solution_
     assert {("ann", HW08), ("ann", OTHER)} <= {(line["student"], line["assignment"]) for line in lines}
 
 
-ROSTERS = {  # a heading, and a student's row
+ROSTERS = {  # system: (heading, format of a student's row)
     "moodle": ('"First name",Surname,Username,"ID number"', "{first},{last},{login},A1"),
     "worksheet of moodle": ("Identifier;Full name;Email address;Status", '"Participant 1";"{first} {last}";{login};'),
     "gradescope": ("First Name,Last Name,SID,Email,Role", "{first},{last},{login},{first}@x.edu,Student"),

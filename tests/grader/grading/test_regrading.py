@@ -1,4 +1,4 @@
-"""Grading again: whose score changes and why, inputs of each student's own, and parts of a class that are joined."""
+"""Regrading: whose score changes and why, other inputs for each student, and results of shards that are joined."""
 
 import json
 import shutil
@@ -19,7 +19,7 @@ WRONG = "def skew(v): return [[0.0] * 3] * 3\n"
 
 @pytest.fixture
 def tree(tmp_path, solution_text):
-    """Two students, two assignments; ben's hw08 is wrong in one function."""
+    """Return a folder of two students and two assignments; ben's hw08 is wrong in one function."""
     correct = solution_text(HW08)
     hand_in(tmp_path / "submitted", dict.fromkeys(("ada", "ben"), solution_text(OTHER)), OTHER)
     return hand_in(tmp_path / "submitted", {"ada": correct, "ben": correct + WRONG})

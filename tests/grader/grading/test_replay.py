@@ -1,4 +1,4 @@
-"""`tam570-grader replay`: the very call that failed, and the same call made again."""
+"""`tam570-grader replay` prints the call that failed, and repeats it."""
 
 import re
 
@@ -11,7 +11,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import mistakes
 
 HW04, HW12 = "hw04_hanging_spring", "hw12_bead_on_wire"
-FAILURES = {  # what is appended to the solution, and what `now` says
+FAILURES = {  # name: (slug, code that is appended to the solution, words after `now`)
     "raises": (HW08, "def skew(v):\n    raise KeyError(v)", "skew raised KeyError"),
     "none": (HW08, "def skew(v):\n    return None", "skew returned None, not real numbers"),
     "nan": (HW08, "def skew(v):\n    return np.full((3, 3), np.nan)", "skew returned NaN"),
@@ -26,13 +26,13 @@ SPOKEN = {
     "def rotation_matrix(axis, angle):\n    raise NotImplementedError": "rotation_matrix is not written yet.",
     "x = 1": "Your file has no function rotation_matrix.",
     "1 / 0": "ZeroDivisionError",
-    "def rotation_matrix(axis, angle):\n    while True: pass": "rotation_matrix did not return",  # ten seconds
+    "def rotation_matrix(axis, angle):\n    while True: pass": "rotation_matrix did not return",  # takes 10 s
 }
 
 
 @pytest.fixture(scope="module")
 def graded(tmp_path_factory, course):
-    """A class with a failure of each form, every second one in a notebook; ada's matrix has a wrong sign."""
+    """Return the folder of a graded class: a failure of each form, half in notebooks; ada's matrix has a wrong sign."""
     folder = tmp_path_factory.mktemp("failures")
     for number, (name, (slug, wrong, _)) in enumerate(FAILURES.items()):
         text = f"{(course / 'solutions' / f'{slug}.py').read_text()}\nimport sympy\n\n{wrong}\n"
@@ -53,7 +53,7 @@ def subtracted(course):
 
 @pytest.fixture
 def replayed(graded, course, capsys):
-    """`replayed(student, check, file)` -> what is printed."""
+    """`replayed(student, check, file)` -> the output of `replay`."""
 
     def replayed(student, check, file):
         capsys.readouterr()

@@ -1,4 +1,4 @@
-"""Feedback on arrival: order, attempts, restarts, and pages where students find them."""
+"""`tam570-grader watch`: order of grading, attempts, restarts, and pages beside the submissions."""
 
 import hashlib
 import json
@@ -88,7 +88,7 @@ def test_a_page_is_written_through_no_link(watch, hand_in, tmp_path):
 
 
 def test_an_exchange_of_nbgrader(watch, tmp_path, solution_text):
-    """As ExchangeSubmit.copy_files and ExchangeReleaseFeedback.copy_files of nbgrader 0.9 write them."""
+    """Files are where ExchangeSubmit.copy_files and ExchangeReleaseFeedback.copy_files of nbgrader 0.9 write them."""
     for n, student in enumerate(("ann", "ben")):
         folder = tmp_path / "exchange" / "inbound" / f"{student}+{SLUG}+2026-09-14 10:00:0{n} UTC+abc"
         folder.mkdir(parents=True)

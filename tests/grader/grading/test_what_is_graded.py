@@ -1,4 +1,4 @@
-"""What is graded, by its name and by what it holds; what cannot be loaded or read costs its own student alone."""
+"""Which files are graded, by name and content; a file that cannot be read or loaded costs only its student points."""
 
 import json
 import os
@@ -32,7 +32,7 @@ def test_a_huge_file_is_not_read(run, tmp_path):
 
 
 def test_a_link_to_a_neighbours_work_or_out_of_the_folder_is_not_followed(run, tree, course, scores):
-    """Links in the place of files and of folders: to others' work, to places outside, to themselves."""
+    """Links in place of files or folders score nothing: to others' work, to places outside, to themselves."""
     (tree / "ben" / HW08 / f"{HW08}.py").unlink()
     (tree / "cora" / HW08).rmdir()
     links = {
@@ -60,7 +60,7 @@ def test_a_link_to_a_neighbours_work_or_out_of_the_folder_is_not_followed(run, t
 def test_a_link_with_too_long_a_target_is_no_folder(run, tree, scores):
     for folder in (tree, tree / "ada", tree / "ben" / HW08):
         (folder / "notes").symlink_to("a" * 300)
-    os.mkfifo(tree / "cora" / HW08 / f"{HW08}.py")  # which nobody reads
+    os.mkfifo(tree / "cora" / HW08 / f"{HW08}.py")  # no process writes to it: reading would block
     code, lines, _ = run(tree)
     assert (code, scores(lines)) == (0, {"ada": 10.0, "ben": 0.0, "cora": 0.0})
 
@@ -78,7 +78,7 @@ def test_names_and_messages_that_are_no_text_are_escaped(tree, tmp_path, capsys)
 
 
 def test_files_beside_a_module_are_not_run(run, tree, monkeypatch, scores, cold):
-    """A module shadowed by a file, start files, options of tools: published against nbgrader, issues 170 and 1842."""
+    """Files that shadow modules, start files, options of tools: published against nbgrader, issues 170 and 1842."""
     folder = tree / "ada" / HW08
     (folder / "numpy").mkdir()
     beside = ("numpy/__init__.py", "inside.py", "msgpack.py", "sitecustomize.py", "conftest.py", "checks.py", "0.pth")
@@ -99,7 +99,7 @@ def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text
 
 
 def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores):
-    """Formulas, markup, paths and lengths in names of folders, which students or their systems choose."""
+    """Names of folders with formulas, markup or paths, or of great length, do no harm in tables and pages."""
     out = tmp_path / "out"
     tree = hand_in(tmp_path / "submitted", dict.fromkeys((*NAMES, *ALIKE), solution_text(HW08)))
     _, lines, _ = run(tree, "--out", out)
@@ -158,7 +158,7 @@ def test_what_a_file_tries_out_at_import_may_use_what_one_function_may_not(grade
 
 
 def test_after_a_statement_that_may_not_run_the_rest_does(grade, solution_text):
-    """Where euler_rates_313 runs, what calls rotations is left out, and no statement after it, of the same line too."""
+    """For euler_rates_313, the statement that calls `rotations` is skipped, but not the next one on the same line."""
     calls = "from tam570 import rotations\nturn = rotations.skew([1, 2, 3]); kept = abs\n"
     text = solution_text("hw10_free_rigid_body").replace("import math\n", f"import math\n{calls}", 1)
     result = grade("hw10_free_rigid_body", text.replace("if abs(s) < 1e-12", "if kept(s) < 1e-12"))
@@ -174,7 +174,7 @@ def test_a_cell_that_tries_what_is_off_limits_costs_only_what_needs_it(grade, so
 
 
 def test_what_a_later_import_says_reaches_no_page(grade, solution_text):
-    """A file is imported again where a function has bans of its own, and may know hidden inputs by then."""
+    """A file is imported again for a function with its own bans; by then it may know hidden inputs."""
     second = "import scipy.integrate\nif type(scipy.integrate).__name__ != 'module': raise ValueError('8.41470984')"
     result = grade("hw02_ballistics", notebook(solution_text("hw02_ballistics"), second, "1 / 0"), notebook=True)
     assert result.score == 10.0 and result.message.endswith("cell 4: ZeroDivisionError: division by zero")

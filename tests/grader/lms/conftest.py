@@ -1,4 +1,4 @@
-"""An instructor's desk: a folder with tables and downloads, and the grader's commands given there."""
+"""Fixtures: an instructor's folder with tables and downloads, in which the grader's commands run."""
 
 import csv
 
@@ -11,7 +11,7 @@ from tam570_grader.results.store import ResultStore
 
 
 class Desk:
-    """`desk(*command)` -> exit code and what was printed; tables are written and read as spreadsheets do."""
+    """An instructor's folder. `desk(*command)` -> (exit code, output); tables are written as spreadsheets do."""
 
     def __init__(self, folder, course, capsys):
         self.folder, self._capsys, self._root = folder, capsys, ["--root", str(course)]
@@ -21,7 +21,7 @@ class Desk:
         return code, "".join(self._capsys.readouterr())
 
     def trust(self, text):
-        """Write and trust course.toml, which the commands obey from now on."""
+        """Write course.toml and trust it; later commands use it."""
         self.write("course.toml", text)
         self._root = []
         assert self("trust")[0] == 0
@@ -43,25 +43,25 @@ class Desk:
         return classes.rows(self.folder / name)
 
     def write_grades(self, scores, slug=HW08):
-        """Write grades.csv: {student: score}, of ten points."""
+        """Write grades.csv from {student: score}, of ten points each."""
         rows = [(student, slug, "graded", score, 10) for student, score in scores.items()]
         self.write("grades.csv", [("student", "assignment", "status", "score", "max_score"), *rows])
 
     def write_results(self, scores):
-        """Write results of no checks: {(student, assignment): score}, of ten points."""
+        """Write results without checks from {(student, assignment): score}, of ten points each."""
         store = ResultStore(self.folder / "results")
         for (student, slug), score in scores.items():
             store.add(result(student, slug=slug, score=score).record())
         store.close()
 
     def scores(self, slug=HW08):
-        """{student: score} of an assignment, by results/grades.csv."""
+        """Return {student: score} of an assignment in results/grades.csv."""
         rows = self.rows("results/grades.csv")
         return {row["student"]: float(row["score"]) for row in rows if row["assignment"] == slug}
 
     @property
     def collected(self):
-        """The text of each student's module of hw08, beside which nothing is collected."""
+        """{student: text of the collected module of hw08}; assert that no other file was collected with it."""
         files = list((self.folder / "submitted").glob(f"*/{HW08}/*"))
         assert {path.name for path in files} <= {f"{HW08}.py"}
         return {path.parts[-3]: path.read_text() for path in files}
@@ -74,7 +74,7 @@ def desk(here, course, capsys):
 
 @pytest.fixture
 def download(desk):
-    """`download(system, files, roster, *more)` -> exit code and what was printed, of a download of these files."""
+    """`download(system, files, roster, *more)` -> (exit code, output) of `collect` with a zip file of these files."""
 
     def download(system, files, roster=None, *more):
         desk.write("a.zip", packed(files))

@@ -1,4 +1,4 @@
-"""Downloads as they are: how Canvas, Moodle and Gradescope name submissions, and hostile zip files."""
+"""`tam570-grader collect`: submissions as Canvas, Moodle and Gradescope name them, and hostile zip files."""
 
 import errno
 import io
@@ -59,7 +59,7 @@ def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
 
 @pytest.mark.parametrize("times", first(1, [1, 80_000]))
 def test_gradescope_by_its_metadata_groups_too(desk, download, times):
-    """It writes every output into the table; none of that is held as a tree."""
+    """Gradescope writes all outputs into the metadata; a file of any size is read."""
     long = "  :results:\n    output: '" + "x" * 100 + "'\n"
     table = "".join(line + long * times * line.startswith("  :created_at") for line in METADATA.splitlines(True))
     works = {"submission_1/work.py": "ab", "submission_2/hw08_axis_angle.py": "c", "submission_2/hw08_b.py": "d"}
@@ -70,7 +70,7 @@ def test_gradescope_by_its_metadata_groups_too(desk, download, times):
 
 
 def spoilt(method=zipfile.ZIP_DEFLATED, central=None, stream=None):
-    """A zip file of hw08.py with bytes of its directory's entry, or of the packed stream, replaced at an offset."""
+    """Return a zip file of hw08.py; each (offset, bytes) replaces bytes of its central directory or compressed data."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", method) as archive:
         archive.writestr("hw08.py", "x = 1\n" * 100)
@@ -86,10 +86,10 @@ SPOILT = [
     spoilt(stream=(0, b"\xff" * 8)),
     spoilt(zipfile.ZIP_LZMA, stream=(4, b"\xff" * 9)),
     spoilt(zipfile.ZIP_BZIP2),
-    spoilt(central=(6, b"\x63\0")),  # its version
+    spoilt(central=(6, b"\x63\0")),  # version needed to extract
     spoilt(central=(8, b"\0\x08")).replace(b"hw08.py", b"\xffw08.py"),
-    spoilt(central=(42, b"\xf0\xff\xff\x7f")),  # its offset
-    spoilt(central=(24, b"\x05\0\0\0")),  # its size
+    spoilt(central=(42, b"\xf0\xff\xff\x7f")),  # offset of the local header
+    spoilt(central=(24, b"\x05\0\0\0")),  # uncompressed size
 ]
 
 
@@ -193,13 +193,13 @@ def test_a_table_that_gradescope_did_not_write_is_refused(desk, download, what):
 
 
 def test_names_that_are_no_text_are_told_as_text_and_kept_whole(course, tmp_path, capsysbinary):
-    clear, letter = "\x1b[2J", os.fsdecode(b"\xe9")  # what clears the screen, and a letter in Latin-1
+    clear, letter = "\x1b[2J", os.fsdecode(b"\xe9")  # text that clears a terminal, and a letter in Latin-1
     path = f"Ann{clear} {letter}_17_assignsubmission_file_/{clear}work{letter}.py"
     (tmp_path / "down" / path).parent.mkdir(parents=True)
     (tmp_path / "down" / path).write_text("x")
     (tmp_path / "down" / f"stray{clear}{letter}").write_text("x")
     command = ["collect", str(tmp_path / "down"), "--from", "moodle", "--to", str(tmp_path / "submitted")]
-    for _ in range(2):  # the second reads what the first wrote
+    for _ in range(2):  # the second run reads the table that the first wrote
         assert cli.main(["--root", str(course), *command]) == 1
         out, err = capsysbinary.readouterr()
         assert b"\x1b" not in out + err and err.count(rb"\x1b[2J") >= 2

@@ -1,4 +1,4 @@
-"""What goes to other systems: results and archives for Gradescope, tables and pages for Canvas and Moodle."""
+"""Output for other systems: results and archives for Gradescope, tables and pages for Canvas and Moodle."""
 
 import json
 import os
@@ -22,7 +22,7 @@ from tam570_grader.results.manual_points import GradeRow
 
 FORMATS = {"text", "html", "simple_format", "md", "ansi"}
 VISIBLE = {"hidden", "after_due_date", "after_published", "visible"}
-# The specification of Gradescope, "Output format": each field, and the types or words that it may have.
+# Gradescope's specification, "Output format": the types or words that each field may have.
 FIELDS = {
     **dict.fromkeys(("score", "max_score", "execution_time"), int | float),
     **dict.fromkeys(("output", "name", "number"), str),
@@ -40,7 +40,7 @@ ROSTER = [
 ]
 NAMES = ["ann", "'ann", "+1", "'+1", "''=1", "-rf", "@x", "\tx", "\rx", "\uff1d1", "\uff0b1", "\uff0d1", "\uff20x"]
 SPLIT = ["a;=1+1", "x\t@sum", "'=1;'-2", "a;b;;+c", "ok\n=2"]
-# Pages go back by the names of the downloaded files.
+# The names of feedback pages are derived from the names of the downloaded files.
 HEADING = "student,name,assignment,file,when,late,from,note\n"
 CANVAS = [
     f"ann,,{HW08},{HW08}.py,,,adamsann_17_600_hw08_axis_angle-2.py,",
@@ -65,7 +65,7 @@ cy,hw01_x,missing,8.0,12.0
 
 
 def as_gradescope_reads_it(text):
-    """The results, after every rule of the specification."""
+    """Return the results; assert that they follow every rule of the specification."""
     record = json.loads(text)
     for name, value in (item for part in (record, *record["tests"]) for item in part.items()):
         assert value in FIELDS[name] if isinstance(FIELDS[name], set) else isinstance(value, FIELDS[name]), name
@@ -75,7 +75,7 @@ def as_gradescope_reads_it(text):
 
 @pytest.fixture
 def submission(tmp_path, solution_text):
-    """A folder with the solution in it."""
+    """Return a folder that contains the solution."""
     folder = tmp_path / "submission"
     folder.mkdir()
     (folder / f"{HW08}.py").write_text(solution_text(HW08))
@@ -83,7 +83,7 @@ def submission(tmp_path, solution_text):
 
 
 def for_gradescope(desk, submission):
-    """Return the exit code and what the command prints for Gradescope."""
+    """Return the exit code and the JSON that the command prints for Gradescope."""
     code, said = desk("grade", submission, "--assignment", HW08, "--seed", "3", "--format", "gradescope")
     return code, said[: said.rfind("}") + 1]
 
@@ -131,7 +131,7 @@ def test_a_folder_beside_the_work_costs_no_result(desk, submission, folder, more
 
 
 def test_the_archive_grades_by_itself(desk, submission):
-    """A folder laid out as Gradescope's /autograder, with the archive unpacked and a submission in it."""
+    """The unpacked archive grades a submission in a folder with the layout of Gradescope's /autograder."""
     assert desk("gradescope", ".", HW08)[0] == 0
     source = desk.folder / "source"
     with zipfile.ZipFile(f"{HW08}.zip") as archive:
@@ -163,7 +163,7 @@ def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(desk)
     tables.write_table(desk.folder / "grades.csv", [GradeRow._fields, *graded])
     desk.write("roster.csv", [*ROSTER[:2], ["Lee, Ann", "17", "A1", "+1", "570", "", ""]])
     code, said = desk("lms", "grades.csv", "--to", "canvas", "--roster", "roster.csv")
-    assert code == 1 and '"Lee, Ann",17,A1,+1,570,9.5' in said and "formulas: '+1'" in said  # ann is on no row
+    assert code == 1 and '"Lee, Ann",17,A1,+1,570,9.5' in said and "formulas: '+1'" in said  # ann is not on the roster
     code, said = desk("lms", "grades.csv", "--to", "moodle")
     assert code == 0 and "+1,9.5\nann,9.5" in said.replace("\r", "") and "formulas: '+1'" in said
     assert "\n'+1,,,+1,,9.5" in desk("lms", "grades.csv", "--to", "canvas")[1]
@@ -171,7 +171,7 @@ def test_a_login_that_could_be_a_formula_is_matched_as_it_is_and_warned_of(desk)
 
 @pytest.fixture
 def hand_back(desk):
-    """`hand_back(system, rows, *more)` -> exit code, and name: text of what is in the zip file."""
+    """`hand_back(system, rows, *more)` -> (exit code, {name: text} of the zip file of pages)."""
     desk.write_grades({"ann": 9, "bo": 8})
     for student in ("ann", "bo"):
         (desk.folder / "feedback" / student).mkdir(parents=True)

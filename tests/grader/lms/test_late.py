@@ -1,4 +1,4 @@
-"""Late work by course.toml: dates, days, extensions; one download after another; what disagrees is named."""
+"""Late work by the rules of course.toml: dates, days, extensions, successive downloads, and contradictions."""
 
 import re
 
@@ -23,14 +23,14 @@ due = 2026-09-14T23:59:00
 [hw08.extension]
 cas = 2
 """
-# student, when the file came, what is left of ten points
+# student: (time when the file came, points left of ten)
 CAME = {
     "ann": ("2026-09-14 23:58:00", 10),
-    "ben": ("2026-09-15 00:13:00", 10),  # within the grace
-    "cas": ("2026-09-16 20:00:00", 10),  # within two days
-    "dan": ("2026-09-15 00:15:00", 9),  # a day that has begun
-    "eve": ("2026-09-16 00:13:00", 9),  # the grace holds each day
-    "fay": ("2026-10-30 00:00:00", 7.5),  # no more than a quarter
+    "ben": ("2026-09-15 00:13:00", 10),  # within the grace period
+    "cas": ("2026-09-16 20:00:00", 10),  # within the extension of two days
+    "dan": ("2026-09-15 00:15:00", 9),  # a day that has begun counts
+    "eve": ("2026-09-16 00:13:00", 9),  # the grace period applies to each day
+    "fay": ("2026-10-30 00:00:00", 7.5),  # at most a quarter is taken off
 }
 STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
 NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
@@ -38,7 +38,7 @@ NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, ang
 
 @pytest.fixture
 def term(desk):
-    """The desk of a trusted course, with right results and the times of what was collected."""
+    """Return the desk of a trusted course, with results of ten points and the times of the files."""
     desk.trust(COURSE)
     desk.write_results(dict.fromkeys(((student, HW08) for student in CAME), 10.0))
     write_collected(desk, [(student, when, "") for student, (when, _) in CAME.items()])
@@ -51,7 +51,7 @@ def write_collected(desk, came):
 
 
 def points(desk, *lines):
-    """Give the command `points`, with a table of these rows if there are some."""
+    """Run the command `points`, with a table of these rows if there are any."""
     desk.write("points.csv", "\n".join(["student,assignment,item,points,comment", *lines]))
     return desk("points", "results", *["points.csv"] * bool(lines), "--collected", "collected.csv")
 
@@ -75,10 +75,10 @@ def test_the_report_counts_who_is_late_and_sums_what_counts(term):
     assert term("report", "results", "--roster", "roster.csv", "--collected", "collected.csv")[0] == 0
     page = (term.folder / "results" / "report.html").read_text()
     sums = dict(re.findall(r"<tr><th scope=row>([^<]*)</th>.*<td>([\d.]*)</td></tr>", page))
-    rest = {student: rest for student, (_, rest) in CAME.items()} | {"ann": 4, "dan": 10}  # ann's last one counts
+    rest = {student: rest for student, (_, rest) in CAME.items()} | {"ann": 4, "dan": 10}  # ann's only score counts
     assert {student: float(total) for student, total in sums.items()} == rest
     cells = re.search(r'<th scope="row">hw08</th>(.*?)<svg', page)[1]
-    assert re.findall(r'class="n">(\d+)<', cells)[-1] == "4"  # all but ann, and ben within the grace
+    assert re.findall(r'class="n">(\d+)<', cells)[-1] == "4"  # all except ann and ben
 
 
 def test_changed_terms_are_told_until_they_are_obeyed(term):
@@ -139,7 +139,7 @@ def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
 
 @pytest.fixture
 def download(desk):
-    """`download(*came)` -> exit code and warnings of a download of Blackboard's, of (student, file, day, text)."""
+    """`download((student, file, day, text), ...)` -> (exit code, output) of `collect` with Blackboard's download."""
     desk.trust(COURSE.partition("[hw08.extension]")[0])
 
     def download(*came):
@@ -174,7 +174,7 @@ def test_a_notebook_that_came_after_the_module_that_counts_is_named(download, mo
 
 @pytest.mark.parametrize(("module", "late"), [("x = 1\n", ["ben"]), (STUB, ["ann", "ben"])])
 def test_the_time_of_what_is_graded_counts(desk, download, module, late):
-    """A notebook that comes late beside a module costs days only where it is the one that is graded."""
+    """A late notebook beside a module costs days only if the notebook is graded."""
     download(("ann", "hw08.py", 12, module), ("ann", "hw08.ipynb", 16, NOTEBOOK), ("ben", "hw08.py", 16, "x = 1\n"))
     assert desk("grade", "submitted", "--out", "results", "--seed", "1")[0] == points(desk)[0] == 0
     days = {row["student"]: float(row["points"]) for row in desk.rows("results/by_hand.csv") if row["item"] == "late"}

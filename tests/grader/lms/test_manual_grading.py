@@ -1,4 +1,4 @@
-"""The page to grade by hand: it answers its address alone, and writes the rows of `points`."""
+"""The page for grading by hand answers only at its address, and writes rows of `points`."""
 
 import json
 import shutil
@@ -21,7 +21,7 @@ RUBRIC = {"c": ManualPart("why", ((0.5, "It has a reason."), (1.5, "It draws <b>
 
 @pytest.fixture(scope="module")
 def graded(course, tmp_path_factory):
-    """The work of ann, with a picture and a script in it, graded; ben handed in nothing."""
+    """Return the folder of a graded class: ann's work with a picture and a script, and nothing from ben."""
     tmp_path = tmp_path_factory.mktemp("graded")
     folder = tmp_path / "submitted" / "ann" / SLUG
     folder.mkdir(parents=True)
@@ -47,7 +47,7 @@ def desk(graded, tmp_path):
 
 
 def ask(address, reported=None, **headers):
-    """Status, headers and text of an answer."""
+    """Return status, headers and text of the answer to a request, which posts `reported` as JSON if present."""
     data = None if reported is None else json.dumps(reported).encode()
     try:
         with urllib.request.urlopen(urllib.request.Request(address, data, headers)) as answer:

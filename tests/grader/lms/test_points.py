@@ -1,4 +1,4 @@
-"""Points by hand: every table and page has them, grading again keeps them, and a wrong row changes nothing."""
+"""Points by hand: all tables and pages have them, regrading keeps them, and a table with a wrong row changes none."""
 
 import shutil
 
@@ -17,7 +17,7 @@ TERM = ("hw01_a", "hw02_b", "hw03_c")
 
 @pytest.fixture(scope="module")
 def graded_stubs(tmp_path_factory, course):
-    """What ann and ben handed in, stubs, and the results."""
+    """Return a folder with the stubs that ann and ben handed in, and their results."""
     folder, stub = tmp_path_factory.mktemp("points"), course / "assignments" / SLUG / f"{SLUG}.py"
     hand_in(folder / "submitted", dict.fromkeys(("ann", "ben"), stub.read_text()), SLUG)
     graded(folder)
@@ -26,7 +26,7 @@ def graded_stubs(tmp_path_factory, course):
 
 @pytest.fixture
 def results(tmp_path, graded_stubs):
-    """The results of ann and ben, of the test's own."""
+    """Return a copy of the results of ann and ben for one test."""
     shutil.copytree(graded_stubs, tmp_path, dirs_exist_ok=True)
     return tmp_path / "results"
 
@@ -94,7 +94,7 @@ def test_a_wrong_row_is_named_and_nothing_is_written(results, capsys, row, words
 
 def test_a_row_that_somebody_else_adds_meanwhile_stays(results, monkeypatch):
     def opened(folder):
-        """The book, which another command has just closed."""
+        """Write a row as another command does, then open the store."""
         manual_points.write(folder, ManualAdjustments([Entry("ben", SLUG, "adjust", 2.0, None, "It came by mail.")]))
         return ResultStore(folder)
 
@@ -118,8 +118,8 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys
     assert cli.main([*fill[:-1], "--template", fill[-1]]) == 0 and " ".join(fill) in capsys.readouterr().out
     filled = [(row["student"], row["item"], row["points"], row["of"]) for row in rows(results / "fill.csv")]
     assert filled == [("ann", "c", "1.5", "2"), ("ben", "c", "", "2")]
-    assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # as it is, it changes nothing
-    assert cli.main([*fill, "--template"]) == 2  # a table that is being filled in stays
+    assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # unchanged, it changes no score
+    assert cli.main([*fill, "--template"]) == 2  # an existing table is not overwritten
 
 
 @pytest.mark.parametrize(
@@ -130,7 +130,7 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys
         (8.0, {"late": 20, "off_a_day": 0.1}, 0.0),
         (8.0, {"late": 1, "extension": 2, "off_a_day": 0.1}, 8.0),
         (None, {"late": 1, "off_a_day": 0.1}, None),
-        (8.0, {"late": 3, "off_a_day": 0.5, "adjust": 1, "total": 9}, 9.0),  # in the place of all else
+        (8.0, {"late": 3, "off_a_day": 0.5, "adjust": 1, "total": 9}, 9.0),  # replaces all other items
         (None, {"total": 9}, 9.0),
         (0.5, {"adjust": -2}, 0.0),
     ],
@@ -147,7 +147,7 @@ def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(sc
         ([], [8.0, 7.2, 6.4]),
         ([("ann", "*", "extension", 2.0)], [10.0, 9.0, 8.0]),
         ([("ben", "*", "extension", 2.0)], [8.0, 7.2, 6.4]),
-        ([("*", "*", "slip days", 3.0)], [10.0, 8.1, 6.4]),  # in their order
+        ([("*", "*", "slip days", 3.0)], [10.0, 8.1, 6.4]),  # used in the order of the assignments
         ([("*", "*", "slip days", 3.0), ("ann", TERM[0], "extension", 1.0)], [10.0, 9.0, 6.4]),
         ([("*", TERM[0], "extension", 1.0), ("ann", TERM[0], "extension", 2.0)], [10.0, 7.2, 6.4]),
         ([("*", "*", "drop lowest", 1.0)], [8.0, 7.2, "EX"]),
@@ -155,7 +155,7 @@ def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(sc
     ],
 )
 def test_rows_of_the_term_hold_in_every_assignment(rows, rest):
-    """Ann's work has 10, 9 and 8 points and is two days late in each, half a point off a day."""
+    """Ann's scores are 10, 9 and 8, each two days late; each day takes off a tenth of the score."""
     late = [Entry("ann", slug, "late", 2.0) for slug in TERM]
     adjustments = ManualAdjustments([*late, Entry("*", "*", "off a day", 0.1), *(Entry(*row) for row in rows)])
     graded = (GradeRow("ann", slug, "graded", 10.0 - n, 10.0) for n, slug in enumerate(TERM))

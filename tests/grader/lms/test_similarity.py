@@ -1,4 +1,4 @@
-"""Shared code is found behind other names, right work is not accused; Dolos, JPlag and Moss get numbers for names."""
+"""`alike` finds shared code with other names, not independent work; `export` replaces students' names by numbers."""
 
 import re
 
@@ -15,7 +15,7 @@ TEXT = "def skew(v): return v\n"
 
 @pytest.fixture
 def compare(tmp_path, capsys):
-    """`compare(texts, least)` -> exit code and the lines printed, of these texts by student."""
+    """`compare({student: text}, least)` -> (exit code, printed lines) of `alike`."""
 
     def compare(texts, least="0.9"):
         hand_in(tmp_path / "submitted", texts, SLUG)
@@ -58,7 +58,7 @@ def test_a_long_sum_is_compared_and_what_is_not_is_told_at_the_end(compare, solu
 
 @pytest.fixture
 def exported(desk, tree):
-    """`exported(tool)` -> exit code, number by student, what was printed."""
+    """`exported(tool)` -> (exit code, {student: number}, output) of `export`."""
     (tree / "ada" / HW08 / f"{HW08}.py").unlink()
     (tree / "ada" / HW08 / f"{HW08}.ipynb").write_text(notebook("import numpy as np", TEXT))
 

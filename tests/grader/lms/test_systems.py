@@ -1,4 +1,4 @@
-"""Each system as its vendor's code writes it, with a class of odd names: nobody lost, nobody credited for another."""
+"""Files as each vendor's code writes them, for a class of odd names: all students get their own work and scores."""
 
 import json
 import unicodedata
@@ -40,7 +40,7 @@ LONG = {"letters": "17_5_" + "\x1b" * 40_000, "user": "1" * 4400 + "_5", "file":
 
 
 def words(name):
-    """What `sanitize_file_name` of Canvas's content_zipper.rb leaves of a name."""
+    """Return a name as `sanitize_file_name` of Canvas's content_zipper.rb does."""
     return "".join(c for c in name.lower() if c.isalnum() or c == "_")
 
 
@@ -55,7 +55,7 @@ def moodle_name(n):
 
 
 def gradebook(layout=CANVAS_LAYOUTS[0], column="HW 8: Rotations (810001)", cells=None):
-    """Canvas's export, with the rows that are not students'."""
+    """Return Canvas's export of the gradebook, with the rows that are not of students."""
     mine = {"SIS User ID": "S{}", "Integration ID": "I{}", "Root Account": "x.edu", "Section": "570"}
     rows = [[*layout, "Notes", column, "Final Score"], ["", *[""] * len(layout), "Manual Posting", ""]]
     rows.append(["    Points Possible", *[""] * len(layout), "10", "(read only)"])
@@ -67,7 +67,7 @@ def gradebook(layout=CANVAS_LAYOUTS[0], column="HW 8: Rotations (810001)", cells
 
 
 def worksheet(when="Monday, 14 September 2026, 11:59 PM", *, groups=False):
-    """Moodle's, by gradingtable.php: Identifier, Full name, Email address, Status, Group, Grade, times."""
+    """Return Moodle's worksheet with columns of gradingtable.php, and usernames instead of email addresses."""
     heading = ["Identifier", "Full name", "Username", "Status", *["Group"] * groups, "Grade"]
     rows = [
         [f"Participant {number}", f"{first} {last}", login, "Submitted", *[group] * groups, "", when]
@@ -78,7 +78,7 @@ def worksheet(when="Monday, 14 September 2026, 11:59 PM", *, groups=False):
 
 @pytest.fixture
 def upload(desk):
-    """`upload(system, *more)` -> exit code, what was printed, and the table for a system, by the same roster."""
+    """`upload(system, *more)` -> (exit code, output, rows of the table) of `lms` with roster.csv."""
 
     def upload(system, *more, roster=("--roster", "roster.csv")):
         (desk.folder / "up.csv").unlink(missing_ok=True)
@@ -89,7 +89,7 @@ def upload(desk):
 
 
 def of_everybody(name):
-    """What is to be collected, and the files of a download."""
+    """Return the texts to collect, {login: text}, and the files of a download, {name(n): text}."""
     texts = {login: f"# of {login}" for login in LOGINS}
     return texts, {name(n): texts[login] for n, login in enumerate(LOGINS)}
 
@@ -109,7 +109,7 @@ def test_a_class_from_canvas_to_canvas(desk, download, upload, layout):
         before = {row[list(layout).index("ID")]: row[: len(layout)] for row in gradebook(layout)[3:-1]}
         assert code == 0 and heading == [*layout, "HW 8: Rotations (810001)"] and possible[-1] == "10"
         after = {row[list(layout).index("ID")]: row for row in rows}
-        assert {key: row[:-1] for key, row in after.items()} == before  # the test student is nobody
+        assert {key: row[:-1] for key, row in after.items()} == before  # without a row for the test student
         points = [after[number][-1] for _, number, *_ in CLASS]
         assert points == ["EX", *(f"{n + 0.5}" for n in range(1, len(CLASS)))]
 
@@ -124,7 +124,7 @@ def test_a_score_that_was_changed_in_the_gradebook_stays_and_is_named(desk, uplo
         assert ("Lee, Ann keeps 9" in printed) == (code == 1)
 
 
-@pytest.mark.parametrize("form", ["{}/hw08.py", "{}_/hw08.py", "{}_hw08.py"])  # downloader.php, and before 4.1
+@pytest.mark.parametrize("form", ["{}/hw08.py", "{}_/hw08.py", "{}_hw08.py"])  # downloader.php, and Moodle before 4.1
 def test_a_class_from_moodle(desk, download, form):
     expected, files = of_everybody(lambda n: form.format(moodle_name(n)))
     code, printed = download("moodle", files, worksheet())
@@ -151,7 +151,7 @@ def test_who_is_left_out_is_named_and_the_code_is_1(desk, upload, system):
     ids=["nothing", "worksheet", "late worksheet", "log"],
 )
 def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
-    """Every file has the date of the download: a worksheet or a log knows better; without one nobody is late."""
+    """Files have the date of the download, so times come from a worksheet or a log; without one nobody is late."""
     desk.write("log.csv", LOG)
     assert download("moodle", {f"{moodle_name(n)}/hw08.py": "x" for n in range(2)}, roster, *more)[0] == 0
     desk.trust(LATE)
@@ -188,7 +188,7 @@ def test_everybody_of_a_group_gets_its_work(desk, download, way):
     ],
 )
 def test_a_number_whose_name_disagrees_is_not_believed(desk, download, system, name, more):
-    """Number 7 is somebody of another team."""
+    """The name says Team 8, but number 7 is a student of Team 7."""
     desk.write("groups.csv", TEAMS)
     code, _ = download(system, {name: "# of team 8"}, worksheet() if system == "moodle" else gradebook(), *more)
     assert code == 1 and desk.collected == {}
@@ -204,7 +204,7 @@ def test_a_stranger_of_the_same_name_takes_nobodys_place(desk, download):
 
 
 def test_a_login_is_no_number(desk, download, upload):
-    """Somebody's login is 17, and user 17 is on no row."""
+    """One student's login is 17; the file of user 17, who is not on the roster, is not that student's."""
     roster = [row for row in gradebook(column=f"{HW08} (5)") if row[1] != "17"]
     code, _ = download("canvas", {"smithal_17_5_hw08.py": "# a stranger", "delacruzana_12_6_hw08.py": "# Ana"}, roster)
     assert code == 1 and desk.collected == {"17": "# Ana"}
@@ -214,7 +214,7 @@ def test_a_login_is_no_number(desk, download, upload):
 
 
 def test_a_download_is_of_one_assignment(desk, download):
-    """hw08 handed in again in the dropbox of hw07 replaces nothing; what a download replaces is named."""
+    """A file of hw08 in a download of hw07 replaces nothing; `collect` names the files that a download replaces."""
     assert download("canvas", {f"{canvas_name(n)}_hw08.py": f"# {n}" for n in range(4)}, gradebook())[0] == 0
     before = desk.collected
     files = {f"{canvas_name(n, 600)}_hw07.py": f"# {n}" for n in range(3)}
