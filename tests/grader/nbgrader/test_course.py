@@ -1,4 +1,4 @@
-"""The notebook that students work in: its cells, its claims, what it says of the stub and of the solution."""
+"""The students' notebook: its cells, the claims to grade by hand, and its output with the stub and the solution."""
 
 import json
 import os
@@ -30,7 +30,7 @@ def released(course, slug):
 
 @pytest.fixture
 def cells(course, slug, tmp_path):
-    """The cells of the notebook of an assignment, by their ids."""
+    """Return {id: cell} of the notebook of an assignment."""
     write_notebook(course, slug, tmp_path)
     cells = json.loads((tmp_path / f"{slug}.ipynb").read_text())["cells"]
     assert len({cell["id"] for cell in cells}) == len(cells)
@@ -93,7 +93,7 @@ def work(course, tmp_path, made_course):
 
 
 def run_top_to_bottom(folder, slug):
-    """The cells of the notebook in this folder, run, without an error and without a warning."""
+    """Run the notebook in this folder and return its cells; fail if it has an error or a warning."""
     command = ["-m", "jupyter", "nbconvert", "--to", "notebook", "--execute", "--inplace", f"{slug}.ipynb"]
     done = subprocess.run([sys.executable, *command], cwd=folder, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr[-2000:]
@@ -104,14 +104,14 @@ def run_top_to_bottom(folder, slug):
 
 
 def said(cells):
-    """What the cells have printed, and what they end with."""
+    """Return the text that the cells printed and the text of their results."""
     outputs = [item for cell in cells for item in cell.get("outputs", [])]
     return "".join("".join(item.get("text", item.get("data", {}).get("text/plain", []))) for item in outputs)
 
 
 @pytest.mark.slow
 def test_every_notebook_runs_with_the_stub_and_with_the_solution(work, slug, solution_text):
-    """With the stub each part says what is missing, with the solution what there is to see is shown."""
+    """With the stub each part says what is missing; with the solution it shows the pictures and the animation."""
     for cell in run_top_to_bottom(work(slug, stub(solution_text(slug))), slug):
         if cell["id"].startswith(("part-", "picture-", "scene")):
             assert any(word in said([cell]) for word in MISSING), cell
@@ -143,7 +143,7 @@ def test_a_module_that_is_saved_is_read_again(course, work):
 
 @pytest.fixture
 def ending(monkeypatch):
-    """How commands end, with a short wait; needs nbgrader."""
+    """Return the module `ending` with a short wait for locks, and remove its listeners after the test."""
     ending = pytest.importorskip("tam570_grader.nbgrader.ending")
     monkeypatch.setattr(ending, "WAIT", 0.05)
     yield ending
@@ -153,7 +153,7 @@ def ending(monkeypatch):
 
 
 def listened(url, ending):
-    """An engine whose errors are told as a command tells them."""
+    """Return an engine of SQLAlchemy with the listeners that commands use."""
     from sqlalchemy import create_engine, event
 
     engine = create_engine(url)
@@ -175,10 +175,10 @@ def test_a_locked_gradebook_is_waited_for_and_then_told_in_one_line(ending, tmp_
 
 
 def test_a_server_that_is_lost_ends_the_command_in_one_line(ending, capsys):
-    """Lost is an interrupt: nbgrader removes what it was writing, and goes on to no other student."""
+    """Lost is a KeyboardInterrupt, so that nbgrader removes unfinished files and does not go on to other students."""
     pytest.importorskip("psycopg", reason="no psycopg: pip install 'tam570[postgres]'")
     with socket.socket() as closed:
-        closed.bind(("127.0.0.1", 0))  # and it does not listen
+        closed.bind(("127.0.0.1", 0))  # bound, but not listening
         engine = listened(f"postgresql+psycopg://me:secret@127.0.0.1:{closed.getsockname()[1]}/grades", ending)
         with pytest.raises(SystemExit) as end:
             ending._ending(lambda app: engine.connect())(None)

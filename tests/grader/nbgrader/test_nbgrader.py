@@ -1,4 +1,4 @@
-"""The course in nbgrader, by its own commands, from release to feedback; what odd submissions come to."""
+"""The course in nbgrader, from release to feedback, by nbgrader's commands."""
 
 import csv
 import html
@@ -16,17 +16,17 @@ from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports.sentences import typeset
 
 pytestmark = pytest.mark.slow  # minutes of nbgrader
-MISTAKES = {  # assignment: the mistake in what the second student hands in
+MISTAKES = {  # slug: the mistake in ben's submission
     "hw07_double_pendulum": "too_few_steps",
     "hw08_axis_angle": "transposed_skew",
     "hw12_bead_on_wire": "motion_kept_for_other_wires",
 }
-TELLS = 8  # characters: a detail as short as "0.0" may be on a page by chance
-BY_HAND = 0.75  # of the points of a part that is graded by hand
+TELLS = 8  # least characters of a hidden number; one as short as "0.0" may be on a page by chance
+BY_HAND = 0.75  # share of the points of each part that is graded by hand
 
 
 def regraded(course, checkout, slug, out):
-    """The results of `tam570-grader grade` on the collected files, with the seed that autograde took."""
+    """Return the results of `tam570-grader grade` for the collected files, with the seed of autograde."""
     first = (course / "tam570_results" / slug / "results.jsonl").read_text().splitlines()[0]
     command = ["--root", str(checkout), "grade", str(course / "submitted"), "--only", slug, "--out", str(out)]
     assert cli.main([*command, "--seed", str(json.loads(first)["seed"])]) == 0
@@ -50,7 +50,7 @@ class Term:
             self.nbgrader(self.course, "release_assignment", slug)
 
     def handed_in(self, name, home):
-        """List, fetch, work, validate (ann: what is right must pass), submit."""
+        """Run a student's commands: list, fetch, validate (ann's solution must pass), submit."""
         listed = self.nbgrader(home, "list")
         assert all(slug in listed for slug in MISTAKES)
         self.nbgrader(home, "fetch_assignment", *MISTAKES)
@@ -66,7 +66,7 @@ class Term:
         assert all(slug in cached for slug in MISTAKES)
 
     def graded(self):
-        """Collect, autograde, the parts that are graded by hand, feedback, and the table."""
+        """Collect, autograde, grade parts by hand, release and fetch feedback, export the table."""
         for slug in MISTAKES:
             self.nbgrader(self.course, "collect", slug)
             self.nbgrader(self.course, "autograde", slug)
@@ -79,7 +79,7 @@ class Term:
         self.nbgrader(self.course, "export")
 
     def page(self, name, slug):
-        """The feedback that a student has fetched."""
+        """Return the feedback page that a student has fetched."""
         return next((self.homes[name] / slug / "feedback").rglob("*.html")).read_text()
 
 
@@ -92,9 +92,9 @@ def answer_in_words(path):
 
 
 def grade_by_hand(course, slug):
-    """What formgrader writes when a teacher types a score: here for every manual part."""
+    """Write a score for every manual part, as formgrader does when a teacher types one."""
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # nbgrader's own, of SQLAlchemy
+        warnings.simplefilter("ignore")  # SQLAlchemy warns about nbgrader's code
         from nbgrader.api import Gradebook
 
         with Gradebook(f"sqlite:///{course / 'gradebook.db'}") as book:
@@ -107,7 +107,7 @@ def grade_by_hand(course, slug):
 
 @pytest.fixture(scope="module")
 def term(course, tmp_path_factory, nbgrader, made_course):
-    """The term from release to fetched feedback and exported table."""
+    """Return a term after release, submission, grading, feedback and export."""
     term = Term(course, tmp_path_factory.mktemp("term"), nbgrader, made_course)
     term.released()
     for name, home in term.homes.items():
@@ -117,7 +117,7 @@ def term(course, tmp_path_factory, nbgrader, made_course):
 
 
 def test_scores_are_those_of_the_grader(term, nbgrader_grades, tmp_path):
-    """nbgrader's gradebook and its export hold the points of `tam570-grader grade`, part by part."""
+    """nbgrader's gradebook and its export have the points of `tam570-grader grade` for each part."""
     actual, fractions = nbgrader_grades(term.course), 0
     rows = csv.DictReader((term.course / "grades.csv").read_text().splitlines())
     exported = {(row["student_id"], row["assignment"]): row for row in rows}
@@ -134,11 +134,11 @@ def test_scores_are_those_of_the_grader(term, nbgrader_grades, tmp_path):
             assert float(exported[who]["max_score"]) == pytest.approx(record["max_score"] + manual)
             fractions += sum(points % 1 != 0 for points in parts.values())
             assert (record["score"] == record["max_score"]) == (record["student"] == "ann")
-    assert fractions  # scores that are no whole numbers came through, too
+    assert fractions  # at least one score has a fraction
 
 
 def test_the_feedback_says_what_was_lost(term):
-    """Every message and picture of ben's failures, nothing hidden, and none of it to ann."""
+    """Ben's pages have the messages and pictures of his failures; no page has a hidden number."""
     pictures, secrets = 0, 0
     for slug in MISTAKES:
         pages = [html.unescape(term.page(name, slug)) for name in term.homes]

@@ -1,4 +1,4 @@
-"""Odd submissions in nbgrader: one class, one autograde."""
+"""Odd submissions in nbgrader, graded by one run of autograde."""
 
 import copy
 import json
@@ -27,7 +27,7 @@ def locked(cells):
 
 
 def edited(change):
-    """A change of the cells of a submitted notebook."""
+    """Return a function that applies `change` to the cells of the notebook in a folder."""
 
     def edit(folder):
         path = folder / f"{ONE}.ipynb"
@@ -44,14 +44,14 @@ def strange_ids(cells):
 
 
 def duplicated(cells):
-    """The locked cell twice more, one copy with points of its own (jupyter/nbgrader issues 108, 1083)."""
+    """Add two copies of the locked cell, one of them with other points (jupyter/nbgrader issues 108, 1083)."""
     richer, copied = ({**copy.deepcopy(locked(cells)), "id": name} for name in ("richer", "again"))
     richer["metadata"]["nbgrader"]["points"] = 99
     cells += [richer, copied]
 
 
 def as_text(cells):
-    """The locked cell as Markdown (jupyter/nbgrader issue 92)."""
+    """Turn the locked cell into Markdown (jupyter/nbgrader issue 92)."""
     cell = locked(cells)
     cell.update(cell_type="markdown")
     [cell.pop(key, None) for key in ("outputs", "execution_count")]
@@ -63,7 +63,7 @@ def noisy(folder):
 
 
 def beside(folder):
-    """Files that would be run or taken for ours (jupyter/nbgrader issues 170, 258, 1211, 1842)."""
+    """Add files that tools run, or with names of the grader's files (jupyter/nbgrader issues 170, 258, 1211, 1842)."""
     for name in ("numpy.py", "lab.py", "sitecustomize.py", "conftest.py", "nbgrader_config.py", "tam570.py"):
         (folder / name).write_text("raise SystemExit('stolen()')\n")
     (folder / f"{ONE}.html").write_text("<script>stolen()</script>")
@@ -72,7 +72,7 @@ def beside(folder):
 
 
 def forged(folder):
-    """The stub, with outputs in the notebook that claim points, and one that a browser would run."""
+    """Hand in the stub, with outputs in the notebook that claim points or that a browser would run."""
     shutil.copy(folder.parents[2] / "release" / ONE / f"{ONE}.py", folder)
     points = {"output_type": "execute_result", "execution_count": 1, "metadata": {}, "data": {"text/plain": "10.0"}}
     script = {"output_type": "display_data", "metadata": {}, "data": {"text/html": "<script>stolen()</script>"}}
@@ -93,7 +93,7 @@ def linked(folder):
 
 
 def folders(folder):
-    """Two folders where a module should be, and a link too long to follow."""
+    """Replace the module by two folders, and add a link whose target is too long."""
     (folder / f"{ONE}.py").unlink()
     for name in ("hw08_a", "hw08_b"):
         (folder / name).mkdir()
@@ -101,13 +101,13 @@ def folders(folder):
 
 
 def neighbour(folder):
-    """The student's own folder is a link to somebody else's."""
+    """Replace the student's folder by a link to another student's."""
     shutil.rmtree(folder.parent)
     folder.parent.symlink_to("as_it_is")
 
 
 UNGRADED = {"grade": False, "schema_version": 0, "points": 99}
-LOCKED = {  # what is done to the locked cell
+LOCKED = {  # student: how the locked cell is changed
     "changed": edited(lambda cells: locked(cells).update(source="10.0")),
     "deleted": edited(lambda cells: cells.remove(locked(cells))),
     "ungraded": edited(lambda cells: locked(cells)["metadata"]["nbgrader"].update(UNGRADED)),
@@ -137,7 +137,7 @@ NO_POINTS = {
 
 @pytest.fixture(scope="module")
 def built(course, tmp_path_factory, nbgrader, made_course):
-    """The course after autograde and generate_feedback."""
+    """Return the folder of the course after autograde and generate_feedback."""
     built, _ = made_course(tmp_path_factory.mktemp("odd"), [ONE])
     nbgrader(built, "generate_assignment", ONE)
     nbgrader(built, "db", "assignment", "add", ONE, "--duedate=2015-02-02 00:00:00 UTC")

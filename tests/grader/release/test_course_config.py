@@ -1,4 +1,4 @@
-"""A course of one's own: every command obeys course.toml, and none obeys a course that a student handed in."""
+"""Every command uses the course of a trusted course.toml, and none uses a course that a student handed in."""
 
 import json
 import re
@@ -50,7 +50,7 @@ EVIL = "from pathlib import Path\n\nPath({!r}).touch()\n"
 
 @pytest.fixture
 def desk(here, solution_text):
-    """A folder with course.toml and the work of ann, who is right, and ben, whose vectors stay where they are."""
+    """Return a folder with course.toml, ann's correct work, and ben's work, in which `rotate` does not rotate."""
     (here / "course.toml").write_text(COURSE)
     assert cli.main(["trust"]) == 0
     (here / "mine.py").write_text(MINE)
@@ -73,7 +73,7 @@ def test_grading_obeys_and_a_check_of_ones_own_is_one(desk):
 
 
 def waits(root):
-    """Of each check of hw08 the checks that it waits for."""
+    """Return {check of hw08: the checks that it waits for}."""
     return {item.name: [other.name for other in item.after] for item in assignments.assignment(root, SLUG).checks}
 
 
@@ -160,7 +160,7 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
     make, built = course_config._make, []
 
     def made_by_two(*arguments):
-        """Another command makes the same course before this one puts its own in place."""
+        """Let another command make the same course while this one makes it."""
         monkeypatch.setattr(course_config, "_make", make)
         make(*arguments)
         built.append(course_config.course_of())
@@ -179,7 +179,7 @@ def test_two_commands_at_once_make_one_course(desk, monkeypatch):
     ],
 )
 def test_a_check_of_ones_own_is_tried_before_anybody_is_graded(desk, capsys, old, new, words):
-    """What the solution fails, or breaks on, takes points from nobody."""
+    """A check that the solution fails, that raises, or that the stub passes is an error, and nobody is graded."""
     text = MINE.replace(old, new)
     (desk / "mine.py").write_text(text[: text.index("    r, axis")] + "    rng.random()\n" if "stub" in words else text)
     assert run("grade", "submitted", "--out", "results", "--seed", "1") == 2
@@ -199,7 +199,7 @@ def test_dates_alone_grade_nobody_anew_and_what_is_left_out_is_gone_from_the_pag
 
 @pytest.fixture
 def submission(tmp_path, monkeypatch, solution_text, course):
-    """A student's folder with work, a course.toml, a checkout's folders, and checks that leave a trace when run."""
+    """Return a student's folder with work, course.toml, folders of a checkout, and checks that create a file if run."""
     monkeypatch.setenv("TAM570_HOME", str(tmp_path / "home"))
     monkeypatch.delenv("TAM570_COURSE", raising=False)
     folder = tmp_path / "submitted" / "ann" / SLUG

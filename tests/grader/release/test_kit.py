@@ -1,4 +1,4 @@
-"""The kit: what is in it, what is not, its version, and that a student can install it and work."""
+"""The kit: the files in it, its version, and that a student can work with it alone."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def kit(tmp_path_factory, course):
 
 @pytest.fixture(scope="module")
 def unpacked(kit, tmp_path_factory):
-    """The wheel's content, as pip would install it."""
+    """Return the folder of the unpacked wheel, as pip would install it."""
     (wheel,) = kit.glob("*.whl")
     folder = tmp_path_factory.mktemp("installed")
     with zipfile.ZipFile(wheel) as archive:
@@ -52,7 +52,7 @@ def test_its_only_command_is_the_students(unpacked):
 
 
 def test_its_version_says_its_content(kit, course, tmp_path):
-    """The same content has the same version; another one has another, so that pip installs it."""
+    """The same content has the same version; changed content has another version, so that pip installs it."""
     for name in ("shared", "assignments", "solutions", "autograder"):
         shutil.copytree(course / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
     for name in ("README.md", "LICENSE", "NOTATION.md", "pyproject.toml"):

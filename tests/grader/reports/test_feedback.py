@@ -1,4 +1,4 @@
-"""The students' pages: they say what is wrong, and nothing of what is hidden."""
+"""The students' pages say what is wrong, and reveal no hidden input."""
 
 import contextlib
 import html
@@ -23,12 +23,12 @@ from tam570_grader.results.records import numbers, read
 from tam570_grader.results.store import ResultStore, key_of
 
 CHECKS = assignments.find() / "autograder" / "checks"
-NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # more digits than a message has
+NUMBER = re.compile(r"-?\d+\.\d{3,}(?:e[-+]?\d+)?")  # numbers with more digits than messages have
 
 
 @pytest.fixture(scope="module")
 def page(course):
-    """`page(result)` -> its page, as a student opens it."""
+    """`page(result)` -> the HTML of the student's page."""
     return lambda result: feedback.page(read(result.record()), feedback.load_assignment_info(course, result.assignment))
 
 
@@ -111,7 +111,7 @@ def test_the_curve_of_an_error_tells_when_it_grows_and_passes_the_limit():
 
 
 def test_a_curve_says_too_little_to_carry_an_input_out():
-    """All the values that a slot can have, over all slots, are no more bits than the page on trust says."""
+    """The values that all slots of a curve can have are no more bits than the page on trust says."""
     rng = np.random.default_rng(3)
     t = np.cumsum(rng.uniform(0.1, 1.0, 1000))
     fields = {"tolerance": 1e-5, "quantity": "x", "unit": ""}
@@ -128,7 +128,7 @@ def test_a_curve_says_too_little_to_carry_an_input_out():
 
 @pytest.fixture
 def written(tmp_path, course, monkeypatch):
-    """`written(*records)` -> the pages that were made of these results; the others were left as they are."""
+    """`written(*records)` -> the keys of the pages that were written for these results, without unchanged pages."""
     built, page = [], feedback.page
 
     def noted(result, info, adjusted):

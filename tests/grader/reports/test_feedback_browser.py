@@ -21,7 +21,7 @@ FILES = ["report.html", "feedback/ada/hw07_double_pendulum.html", *(f"feedback/b
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, course, grade):
-    """The results of a small class with its pages and its report."""
+    """Return the folder of a small class's results, with its pages and its report."""
     folder = tmp_path_factory.mktemp("class")
     records = []
     for slug, mistake in SHOWN.items():
@@ -29,7 +29,7 @@ def folder(tmp_path_factory, course, grade):
         wrong = overlays(CHECKS / slug)[mistake]
         for student, text in {"ada": correct, "ben": f"{correct}\n\n{wrong}", "cora": ""}.items():
             records.append(replace(grade(slug, text, 1, speed=True), student=student).record())
-    for slug in ("hw03_angular_momentum_rate", "hw05_constrained_pendulum"):  # one with a long title
+    for slug in ("hw03_angular_momentum_rate", "hw05_constrained_pendulum"):  # one of them has a long title
         records.append(not_graded("dan", assignments.assignment(course, slug), "missing", "no file", 1).record())
     (folder / "results.jsonl").write_text("".join(json.dumps(item) + "\n" for item in records))
     with contextlib.closing(store.results(folder)) as results:

@@ -1,4 +1,4 @@
-"""The instructor's page on a class: its numbers, its limits, who shares a wrong result, and no student's script."""
+"""The report on a class: its numbers, students who share a wrong result, and no scripts of students."""
 
 import base64
 import hashlib
@@ -44,7 +44,7 @@ CLASS = [
 
 @pytest.fixture(scope="module")
 def rows():
-    """{section: the texts of the cells of its tables, by rows, without the heading}."""
+    """Return {section: for each row of its tables but the heading, the texts of the cells}."""
     page = re.sub(r"<title>.*?</title>", "", report.report(report.newest(CLASS), INFOS, ["eve"]))
 
     def cells(row):
@@ -116,7 +116,7 @@ def test_what_holds_no_results_is_said_so(tmp_path, text, capsys):
 
 
 def test_a_mistake_is_drawn_beside_what_is_right(course):
-    """By its scene where that shows it, else by a student's numbers or diagram; of words nothing is drawn."""
+    """The report draws the scene if it shows the mistake, else a student's numbers or diagram, and nothing for text."""
     messages = [item.message for item in mistakes(checks_folder(course, SLUGS[1]))]
     seen = next(pair for message in messages if (pair := wrong_and_right(course, SLUGS[1], message, None)))
     sketch = {"body": "the mass", "outline": [[0, 0, 200, 0]], "arrows": [[0, 0, 90], [0, 0, None]]}
@@ -141,7 +141,7 @@ def sharer(student, actual, *, cause=None, near_miss=False, checks=("skew_is_the
 
 
 def sharers(*results):
-    signs = {(each.student, each.assignment): [*signs_of(each)] for each in results}  # the newest counts
+    signs = {(each.student, each.assignment): [*signs_of(each)] for each in results}  # the newest result counts
     return [(group.students, group.checks) for group in groups(signs)]
 
 

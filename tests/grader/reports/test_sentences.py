@@ -1,4 +1,4 @@
-"""What a student reads: numbers as people write them, where to look first, what to do next, and nothing twice."""
+"""Text on the students' pages: numbers as people write them, where to look first, and which hint to read."""
 
 import html
 import re
@@ -44,7 +44,7 @@ def test_no_error_reads_as_its_limit_or_less(error):
 
 
 def shown(*checks, info=None, score=9.7675):
-    """What stands on the page of a result."""
+    """Return the text of the page of a result with these checks."""
     page = feedback.page(result("ada", *checks, score=score), info or feedback.AssignmentInfo("", {}, {}, {}))
     return re.sub(r"<[^>]+>", "", html.unescape(page))
 

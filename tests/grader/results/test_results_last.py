@@ -1,4 +1,4 @@
-"""Results that last: over runs, kills, full disks and faults of the grader."""
+"""Results survive repeated runs, kills, full disks and faults of the grader."""
 
 import json
 import os
@@ -22,14 +22,14 @@ def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch, s
     out = tmp_path / "out"
     _, first, _ = run(tree, "--out", out)
     with monkeypatch.context() as patch:
-        patch.setattr("tam570_grader.grading.supervisor.graded", None)  # nothing may be graded again
+        patch.setattr("tam570_grader.grading.supervisor.graded", None)  # raises if anything is graded again
         _, second, _ = run(tree, "--out", out)
     assert sorted(map(json.dumps, first)) == sorted(map(json.dumps, second)) and len(results(out)) == 3
     grades = {row["student"]: row["score"] for row in rows(out / "grades.csv")}
     assert grades == {"ada": "10.0", "ben": "0.0", "cora": "0.0"}
     assert "10 of 10" in (out / "feedback" / "ada" / f"{HW08}.html").read_text()
     text = (out / "results.jsonl").read_bytes()
-    (out / "results.jsonl").write_bytes(text[:-20])  # by a kill
+    (out / "results.jsonl").write_bytes(text[:-20])  # as after a kill
     hand_in(tree, {"ben": solution_text(HW08)})
     _, third, _ = run(tree, "--out", out)
     assert scores(third) == {"ada": 10.0, "ben": 10.0, "cora": 0.0} and len(results(out)) == 3
@@ -110,10 +110,10 @@ def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
 
 @pytest.mark.parametrize("part", ["sandbox.function.SandboxFunction.many", "grading.run_checks.Student.load"])
 def test_a_fault_of_the_grader_is_no_score_exits_1_and_is_tried_again(part, run, tree, tmp_path, monkeypatch, scores):
-    """Whatever it is, in whatever part: the class is graded on."""
+    """After a fault in any part of the grader, the rest of the class is graded."""
 
     def broken(*_):
-        fault.undo()  # it is one submission's
+        fault.undo()  # only one submission meets the fault
         raise RecursionError("a fault of ours")
 
     where = "--out", tmp_path / "out", "--jobs", 1

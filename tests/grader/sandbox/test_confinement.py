@@ -1,4 +1,4 @@
-"""What of a submission costs nobody else: its words at import, its folder, a machine on which it cannot be confined."""
+"""A submission affects no other: its errors at import, its folder, hidden files, and machines without confinement."""
 
 import json
 import re
@@ -49,7 +49,7 @@ print(open("/proc/self/cmdline").read().replace("\\0", " "), os.stat("/proc/self
         ("from numpy import ar_ray", "unreadable", "ImportError at line 1: cannot import name 'ar_ray' from 'numpy'$"),
         ("\nx = whatever", "unreadable", "NameError at line 2: name 'whatever' is not defined$"),
         ("def skew(v:", "unreadable", r"SyntaxError at line 1: '\(' was never closed$"),
-        # of what the file says itself, nothing is told
+        # messages that the file writes itself are not quoted
         ("raise ValueError('1.25')", "unreadable", "ValueError at line 1$"),
         ("raise NameError(f\"name '{'wha' + 'tever'}' is not defined\")", "unreadable", "NameError at line 1$"),
         ("class Odd(Exception): pass\nraise Odd('1.25')", "unreadable", "Exception at line 2$"),
@@ -107,7 +107,7 @@ def test_a_folder_of_many_files_is_a_note(run, tree, scores, folder):
 
 
 def test_a_submission_of_many_files_is_looked_at_once_a_file(tmp_path):
-    """Each name is compared with no other: a class would wait for the square of their number."""
+    """The number of comparisons grows with the number of files, not with its square."""
     compared = []
 
     class Counted(type(tmp_path)):
@@ -126,7 +126,7 @@ def test_a_submission_of_many_files_is_looked_at_once_a_file(tmp_path):
 @pytest.mark.parametrize(("limit", "code"), [("-t 5", 2), ("-f 1000", 0), ("-n 32", 0)])
 @pytest.mark.parametrize("container", first(1, [["unshare", "-Ur"], []]), ids=["one user", "here"])
 def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, code, container):
-    """Published against graders in rootless containers, where root is alone and may raise no limit."""
+    """Published against graders in rootless containers, where root is the only user and cannot raise limits."""
     if container and subprocess.run([*container, "true"], check=False).returncode:
         pytest.skip("no user namespaces")
     (tmp_path / "hw08.py").write_text(solution_text(HW08))
@@ -142,16 +142,16 @@ def test_a_shells_own_limits_cost_nobody_points(tmp_path, solution_text, limit, 
 
 @pytest.mark.parametrize(("was", "becomes"), [(b"2 * x", b"3 * x"), (b"while True:", b"if True:")])
 def test_a_worker_that_fails_the_canary_grades_nobody(solution_text, tmp_path, monkeypatch, capsys, was, becomes, cold):
-    """A jail in which right calls fail, or endless ones are not stopped."""
+    """A worker in which correct calls fail, or endless calls are not stopped, is not used."""
     monkeypatch.setattr(zygote, "CANARY", zygote.CANARY.replace(was, becomes))
-    monkeypatch.setattr(zygote, "STOPPED_AFTER", 10.0)  # s: on a busy machine a call that ends takes a while, too
+    monkeypatch.setattr(zygote, "STOPPED_AFTER", 10.0)  # s, because calls that end take longer on a busy machine
     (tmp_path / "hw08.py").write_text(solution_text(HW08))
     assert cli.main(["grade", str(tmp_path / "hw08.py")]) == 2
     assert "without that none is graded" in capsys.readouterr().err
 
 
 def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
-    """The same bytes are right as a module, and no notebook."""
+    """The same bytes are a correct module, and no notebook."""
     path = hand_in(tmp_path, {"ada": solution_text(HW08)}) / "ada" / HW08 / f"{HW08}.py"
     assert run(tmp_path / "ada", "--out", tmp_path / "out")[1][0]["score"] == 10.0
     path.rename(path.with_suffix(".ipynb"))
@@ -161,7 +161,7 @@ def test_renaming_a_file_does_not_keep_its_score(run, tmp_path, solution_text):
 
 @confined
 def test_what_is_hidden_is_empty_and_takes_no_notes(course, solution_text):
-    """The teacher's folders below a package folder, and the packages of other interpreters, where bans do not reach."""
+    """Hidden folders and the packages of other interpreters, to which bans do not apply, are empty and read-only."""
     hidden = Path(pytest.__file__).parent
     others = [path for path in other_packages([str(hidden.parent)]) if path.is_dir()]
     places = [str(path) for path in (hidden, *others)]

@@ -1,4 +1,4 @@
-"""Notebooks that nbgrader shows are read in a process of their own: short plain text comes back, or a reason."""
+"""`cells_of` reads a notebook in another process; it returns short plain cells, or raises Unshown."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""A reply is checked before anything reads it: by type, depth, size and number, for each mode."""
+"""`replies.checked` checks the types, depth, size and number of replies in each mode, before the grader uses them."""
 
 import itertools
 
@@ -83,7 +83,7 @@ def test_results_alike_come_as_one_array():
 
 
 def test_reading_replies_counts_as_the_submissions_time(grade, solution_text, monkeypatch):
-    """A clock that goes on by half a second each time that it is read."""
+    """With a clock that advances by 0.5 s at each reading, reading the replies exceeds the time limit."""
     ticks = itertools.count(step=0.5)
     monkeypatch.setattr("tam570_grader.sandbox.process.time.thread_time", lambda: next(ticks))
     monkeypatch.setattr("tam570_grader.sandbox.process.SHORT", 0)

@@ -1,4 +1,4 @@
-"""What a submission's process may do with time, what it says, and what happens when it dies."""
+"""A submission's process: time limits, messages, deaths and retries, and calls that are off limits."""
 
 import contextlib
 import gc
@@ -59,7 +59,7 @@ def test_one_that_sleeps_through_its_calls_is_ended(grade, solution_text, monkey
 
 @pytest.mark.slow
 def test_one_that_sleeps_at_every_import_and_call_is_ended(grade, solution_text, monkeypatch):
-    """Each function of hw02 has bans, and a cell, of its own."""
+    """Each function of hw02 has its own bans, and so its own sandbox process."""
     monkeypatch.setattr("tam570_grader.sandbox.student.PATIENCE", 1)
     slow = "import time\ntime.sleep(0.8)\n" + solution_text("hw02_ballistics")
     asleep = "import time\nskew = rotate = rotation_matrix = lambda *_, **__: time.sleep(9)\n"
@@ -114,7 +114,7 @@ def test_a_worker_that_dies_is_replaced(solution_text, course, cold):
     started = []
 
     class Mortal(Zygote):
-        """The first worker is killed before it is ready, the second once it is."""
+        """A zygote: the first is killed before it is ready, the second when it is ready."""
 
         def __init__(self, *arguments):
             super().__init__(*arguments)
@@ -139,7 +139,7 @@ def test_a_zygote_that_has_died_leaves_no_socket_open():
     with pytest.raises(ZygoteLost):
         zygote.process(cpu=1.0)
     zygote.close()
-    gc.collect()  # what is left open warns, and a warning is an error
+    gc.collect()  # an open socket warns, and pytest turns warnings into errors
 
 
 @pytest.mark.parametrize("body", ["raise ValueError", "return float('nan')", "return None", "v[0] = 0.0"])
@@ -158,7 +158,7 @@ def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_work
 
 
 def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(student_of):
-    """A function that exits for two times, of which a hint asks, is still judged at three."""
+    """A function that exits in a call that a hint makes can still be called, and that call is not recorded."""
     text = "import os\ndef skew(v):\n    return np.zeros((3, 3)) if v[0] else os._exit(1)\nimport numpy as np\n"
     student = student_of(SLUG, text)
 
@@ -185,7 +185,7 @@ def test_a_function_that_may_not_be_called_may_not_by_another_name(grade, soluti
 @pytest.mark.skipif(isolation() != "bubblewrap", reason="a process can kill itself elsewhere")
 @pytest.mark.parametrize("death", DEATHS.values(), ids=DEATHS)
 def test_who_looks_as_if_killed_by_others_is_not_tried_again(death, grade, solution_text):
-    """The kernel counts processor time by ticks of 4 ms where it ends a process for it."""
+    """The kernel enforces the limit of processor time in ticks of 4 ms, so it can kill a process that used less."""
     text = f"{solution_text(SLUG)}{TICKS}\ndef skew(v):\n    {death}\n"
     assert grade(SLUG, text, limits=ResourceLimits(cpu=2, call=1.5), attempt=ATTEMPTS[0]).score < 10
 
