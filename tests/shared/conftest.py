@@ -1,4 +1,4 @@
-"""A student's desk, with a folder to work in and the command as a student gives it; pages in a browser."""
+"""Fixtures of the students' tests: an empty folder, the command `tam570`, scenes, and pages in a browser."""
 
 from functools import cache
 
@@ -15,13 +15,13 @@ from tam570.show.lecture import filmed
 
 @pytest.fixture
 def desk(here):
-    """A student's empty folder, and nothing remembered."""
+    """Return a student's empty folder, without stored progress."""
     return here
 
 
 @pytest.fixture
 def tam570(desk, capfd):
-    """`tam570(*arguments)` -> the exit code, and what is printed; in a folder, with variables of the environment."""
+    """`tam570(*arguments, cwd, **variables)` -> (exit code, output) in a folder, with environment variables."""
 
     def tam570(*arguments, cwd=".", **variables):
         capfd.readouterr()
@@ -40,7 +40,7 @@ def tam570(desk, capfd):
 
 @pytest.fixture
 def in_process(monkeypatch):
-    """`check` tests work that ends by itself in this process, where NumPy and pytest are imported already."""
+    """Run the tests of `check` in this process, which has imported NumPy and pytest; no test may hang or exit."""
 
     class Here:
         def __init__(self, ahead):
@@ -57,7 +57,7 @@ def in_process(monkeypatch):
 
 @pytest.fixture
 def hw08(desk, solution_text):
-    """`hw08(text)` -> the file of hw08, started: the solution, and this text below it; None for the stub."""
+    """`hw08(below, above)` -> the file of hw08 with the solution between these texts, or the stub if below is None."""
     assert cli.main(["start", "hw08"]) == 0
     file = desk / HW08 / f"{HW08}.py"
 
@@ -71,7 +71,7 @@ def hw08(desk, solution_text):
 
 @pytest.fixture(scope="session")
 def scenes(course):
-    """`scenes(name)` -> the scene of an assignment, by its reference solution, or of a lecture, made once."""
+    """`scenes(name)` -> the cached scene of a lecture, or of an assignment with its reference solution."""
 
     @cache
     def scene(name):
@@ -84,12 +84,12 @@ def scenes(course):
 
 @pytest.fixture
 def open_page(open_tab, tmp_path):
-    """`open_page(document, size, **options)` -> its tab, laid out."""
+    """`open_page(document, size, **options)` -> the tab of an HTML document, after its layout."""
 
     def open_page(document, size=(1280, 720), reduced_motion="reduce", **options):
         (tmp_path / "page.html").write_text(document, encoding="utf-8")
         tab = open_tab((tmp_path / "page.html").as_uri(), size, reduced_motion=reduced_motion, **options)
-        # an observer of sizes is first called at the end of a page's first frame
+        # a ResizeObserver is first called at the end of the first frame
         tab.evaluate("() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
         return tab
 

@@ -1,4 +1,4 @@
-"""The students' command: what it lists, starts, hints, refuses, updates and imports, and where it finds work."""
+"""The students' command: list, start, hint, handin, update, bad usage, imports, and where it finds work."""
 
 import json
 import shutil
@@ -54,7 +54,7 @@ PLACES += [(".", "hw08"), (SLUG, "hw08"), (".", SLUG), (".", f"{SLUG}/{SLUG}.py"
 
 @pytest.mark.parametrize(("folder", "what"), first(3, PLACES))
 def test_check_knows_where_it_is_and_takes_a_folder_and_any_file(hw08, desk, tam570, in_process, folder, what):
-    """Above the folder of the assignment, in it, below it, and in that of a neighbour."""
+    """`check` works above the folder of the assignment, in it, below it, and in the folder of another assignment."""
     (desk / "mine.py").write_text(hw08().read_text())
     (desk / folder).mkdir(exist_ok=True)
     code, said = tam570("check", *what.split(), cwd=desk / folder)
@@ -68,7 +68,7 @@ def test_check_without_a_name_means_the_folder_where_it_is_given(hw08, desk, tam
     assert tam570("check")[1].startswith("hw03: nothing is written yet")
 
 
-BAD = {  # and a word that tells what to do
+BAD = {  # arguments: words of the message
     "check": "start hw",
     "check hw08": "start hw08",
     "check no.py": "no.py",
@@ -203,7 +203,7 @@ def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):
 def test_update_brings_what_was_not_touched_and_names_the_rest(
     hw08, tmp_path, monkeypatch, capsys, name, text, mine, recorded, message
 ):
-    """After hw08 was started, a kit comes in which a file ends in another text."""
+    """After hw08 was started, a new kit has more text in one of its files."""
     file, home = hw08(None).parent / name, tmp_path / "assignments"
     shutil.copytree(course.folder(SLUG).parent, home)
     monkeypatch.setattr(course, "_home", lambda: home)
@@ -221,6 +221,6 @@ def test_update_brings_what_was_not_touched_and_names_the_rest(
 
 
 def test_each_readme_says_how_closely_motions_are_compared(slug):
-    """Where `check --final` finds it."""
+    """`check --final` reads the accuracy from the README, which has one if the assignment simulates a motion."""
     simulates = any(name.startswith("simulate") for name in contract(slug)["results"])
     assert len(ACCURACY.findall((course.folder(slug) / "README.md").read_text())) == simulates

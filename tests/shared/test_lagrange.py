@@ -1,4 +1,4 @@
-"""Lagrange's equations against motions known from elsewhere, as numbers at states drawn at random."""
+"""Lagrange's equations, compared with known accelerations and with identities at random states."""
 
 import subprocess
 import sys
@@ -17,8 +17,8 @@ u, v, w, p, q = symbols("u v w p q")
 m, g, l, c, I = symbols("m g l c I")  # noqa: E741  as on the blackboard
 NUMBERS = {"m": 1.3, "g": 9.81, "l": 0.7}
 
-# A state is drawn of order one; the equations divide by nothing small there, so that a hundred roundings
-# stay far below this. A wrong term shows in the first digit.
+# States are random numbers of order one. The equations divide by no small number there, so a hundred roundings
+# stay far below this; a wrong term changes the first digit.
 SAME = 1e-12
 BEAD = m * v**2 * (1 + 4 * c**2 * x**2) / 2 - m * g * c * x**2
 # two equal point masses on equal rods
@@ -30,13 +30,13 @@ def built(lagrangian, coordinates, velocities, **how):
 
 
 def spherical_pendulum():
-    """z up."""
+    """Return the equations of a spherical pendulum; z points up."""
     rod = [(x**2 + y**2 + z**2 - l**2) / 2]
     return built(m * (u**2 + v**2 + w**2) / 2 - m * g * z, [x, y, z], [u, v, w], constraints=rod)
 
 
 def chaplygin_sleigh():
-    """Knife edge in (x, y) along theta, centre of mass a distance c ahead of it, inertia I about that."""
+    """Return the equations of a knife edge at (x, y) along theta; G is c ahead of it, with inertia I about G."""
     vx, vy = u - c * sin(theta) * w, v + c * cos(theta) * w
     T = m * (vx**2 + vy**2) / 2 + I * w**2 / 2
     edge = [v * cos(theta) - u * sin(theta)]
@@ -44,7 +44,7 @@ def chaplygin_sleigh():
 
 
 def test_time_in_the_lagrangian():
-    """A bead on a straight wire turned at a rate that grows: r'' = W(t)^2 r; and a hinge on a lift, by a constraint."""
+    """A bead on a straight wire that turns at the rate W(t) has r'' = W^2 r; a constraint y = t^3 lifts a particle."""
     turned = built(m * (v**2 + (1 + t) ** 2 * x**2) / 2, [x], [v])
     assert turned.rhs(2.0, (0.3, -0.4), m=1.3) == pytest.approx((-0.4, 9 * 0.3), rel=SAME)
     lift = built(m * (u**2 + v**2) / 2 - m * g * y, [x, y], [u, v], constraints=[y - t**3])
@@ -70,7 +70,7 @@ def test_mass_matrix_and_forcing_are_what_rhs_solves():
 
 
 def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
-    """Saved, imported as a file of its own, and loaded by load: the same numbers."""
+    """The generated text gives the same numbers if it is imported as a file or loaded by `load`."""
     text = lagrange.source(BEAD, [x], [v])
     (tmp_path / "bead.py").write_text(text, encoding="utf-8")
     code = (
@@ -88,7 +88,7 @@ def test_the_text_runs_where_sympy_and_numpy_are_not(tmp_path):
 
 
 def test_powers_roots_and_constants_are_printed_as_they_are():
-    """A potential of everything the printer writes in its own way; its slope by SymPy's own 30 digits."""
+    """The slope of a potential with each special case of the printer agrees with 30 digits of SymPy."""
     V = sympy.pi / (x + c) ** 2 + sympy.sqrt(x) / x**3 + sympy.exp(1) * (x - c) ** 4 + sympy.atan2(x, c) + 1 / x
     rhs = built(v**2 / 2 - V, [x], [v]).rhs
     for position, curve in DRAW.uniform(0.5, 2, (5, 2)):

@@ -1,4 +1,4 @@
-"""Notebooks as their students wrote them: checked, shown, and read as the grader reads them."""
+"""Notebooks as students write them: `check`, `show` and the grader read them alike."""
 
 import json
 from concurrent.futures import ThreadPoolExecutor
@@ -32,14 +32,14 @@ CELLS = {
     "calls a magic": "display(3, metadata={})\nget_ipython().run_line_magic('matplotlib', 'inline')\nx = 7",
     "takes all of pylab": "%pylab inline\nplt.plot([1])\nx = round(7 * cos(0.0))",
 }
-# of other languages, and without a source
+# cells of other languages, and cells without a source
 OTHERS = ("%%writefile a.py\nx = 0", " %%bash\nexit 1", "%%html\n<b>", "%%timeit\nx = 0", "no source", "", "!ls")
 pytestmark = pytest.mark.usefixtures("in_process")
 
 
 @pytest.fixture
 def book(desk, solution_text):
-    """`book(*cells)` -> a notebook with the solution of hw08, magics about it, and these cells."""
+    """`book(*cells)` -> the file of a notebook with magics, the solution of hw08, and these cells."""
 
     def book(*cells):
         imports, body = solution_text(SLUG).split("\ndef ", 1)
@@ -59,7 +59,7 @@ def test_a_notebook_of_colab_and_a_module_that_jupyter_exported_lose_nothing(boo
 
 
 def test_what_a_notebook_has_shown_is_not_counted(book, tam570, tmp_path):
-    """Neither here nor where work is graded; its code is."""
+    """`check` and the grader limit the size of a notebook's code, not of its outputs."""
     file = book()
     cells = json.loads(file.read_text())
     picture = {"output_type": "display_data", "data": {"image/png": "A" * LARGEST, "text/plain": '"]}\\'}}

@@ -1,4 +1,4 @@
-"""The laws of rotations, their batches, and what is said about wrong input."""
+"""Rotations: laws, batches, and messages about wrong input."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def largest(difference):
 def test_skew_is_the_cross_product_and_unskew_its_inverse():
     S = rotations.skew(VECTORS)
     assert np.array_equal(np.swapaxes(S, -1, -2), -S)
-    # the sums of two rounded products of numbers below 4
+    # rounding of sums of two products of numbers below 4
     assert largest(np.einsum("nij,nj->ni", S, ANGLES) - np.cross(VECTORS, ANGLES)) < 16 * EPS
     assert np.array_equal(rotations.unskew(S), VECTORS)
     assert largest(rotations.unskew(S + np.eye(3)) - VECTORS) == 0  # the symmetric part does not count
@@ -29,7 +29,7 @@ def test_skew_is_the_cross_product_and_unskew_its_inverse():
 
 @pytest.mark.parametrize("sequence", sorted(SEQUENCES))
 def test_in_gimbal_lock_the_first_angle_is_zero(sequence):
-    """Quarter turns, rounded to the signed permutations that they are: locked exactly, zeros of either sign."""
+    """Matrices of quarter turns, rounded to signed permutations, are exactly in lock, with zeros of either sign."""
     locks = (0.0, np.pi) if sequence[0] == sequence[2] else (np.pi / 2, -np.pi / 2)
     quarters = np.pi / 2 * np.arange(4)
     for middle in locks:

@@ -1,4 +1,4 @@
-"""`check` and the grader agree on what is wrong in all known mistakes."""
+"""`check` and the grader find the same function wrong in known mistakes."""
 
 import json
 
@@ -14,8 +14,8 @@ from tam570_grader.diagnosis.mistakes import mistakes
 
 @pytest.mark.slow
 def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solution_text, grade, slug):
-    """Nine in ten of them; `check` leads to a function that the grader finds wrong, too."""
-    deadline.start()  # a call that takes too long is ended in this process, too
+    """`check` fails for nine in ten of them, and then names a function that the grader finds wrong, too."""
+    deadline.start()  # ends calls that take too long in this process, too
     passing, known_mistakes = [], mistakes(assignments.checks_folder(course, slug))
     for mistake in known_mistakes:
         file, text = desk / f"{slug}.py", f"{solution_text(slug)}\n\n{mistake.text}"
@@ -30,7 +30,7 @@ def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solu
 
 
 def test_home_has_the_sentences_of_today(slug, course):
-    """`tam570-grader stubs --examples` writes them again."""
+    """The examples have only messages of known mistakes; `tam570-grader stubs --examples` updates them."""
     at_home = json.loads((course / "assignments" / slug / FILE).read_text())["mistakes"]
     today = {closed(mistake.message) for mistake in mistakes(assignments.checks_folder(course, slug))}
     assert {mistake["message"] for mistake in at_home} <= today

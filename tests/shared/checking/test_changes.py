@@ -1,4 +1,4 @@
-"""Which tests a change concerns, points by the visible tests, and what is next."""
+"""The tests that a change affects, points by the visible tests, and the function to work on next."""
 
 import itertools
 
@@ -49,7 +49,7 @@ SLUG = "hw08_axis_angle"
 
 
 def concerned(code=None, tests=None):
-    """The tests whose key becomes another."""
+    """Return the tests whose key changes."""
     before, after = (keys(TESTS, CODE, "code_of_mine"), keys(tests or TESTS, code or CODE, "code_of_mine"))
     return {test for test in before | after if before.get(test) != after.get(test)}
 
@@ -98,7 +98,7 @@ def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
 
 
 def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course):
-    """From every test failed to every test passed, one after the other, in either order."""
+    """The points grow as the tests pass one after the other, in either order."""
     called_by = calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
     assert set.union(*called_by.values()) >= set(assignments.assignment(course, slug).results)
     for order in (list(called_by), list(called_by)[::-1]):
@@ -112,13 +112,13 @@ def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug
 @pytest.mark.parametrize(
     ("outcomes", "at_fault", "following"),
     [
-        (("passed", "failed", "passed"), {}, "rotation_matrix"),  # of what no test has proven
+        (("passed", "failed", "passed"), {}, "rotation_matrix"),  # no test has proven it
         (("failed", "passed", "passed"), {}, "skew"),
         (("failed", "failed", "failed"), {}, "skew"),
         (("failed", "failed", "failed"), {"test_a": "rotate"}, "rotate"),
         (("failed", "failed", "failed"), {"test_a": "rotation_matrix"}, "rotate"),
         (("passed", "failed", "passed"), {"test_b": "skew"}, "rotation_matrix"),
-        (("failed", "failed", "passed"), {"test_b": "skew"}, "skew"),  # rotate is right
+        (("failed", "failed", "passed"), {"test_b": "skew"}, "skew"),  # rotate is proven
     ],
 )
 def test_what_is_at_fault_for_certain_and_what_no_test_has_proven_is_next(outcomes, at_fault, following):

@@ -1,4 +1,4 @@
-"""`check` predicts the grader: what would cost points there is found here, and said in a student's words."""
+"""`check` predicts the grader: it finds the errors that would cost points, and explains them to the student."""
 
 import os
 import subprocess
@@ -12,7 +12,7 @@ from tam570.checking.visible import difference
 from tam570.course import folder
 from tam570_grader.sandbox.zygote import ResourceLimits
 
-TOP = {  # and the words of `check` that tell them apart
+TOP = {  # code above the solution: words that `check` prints
     "import scipy.spatial.transform": "scipy.spatial.transform",
     "import pandas as pd": "pandas",
     "1 / 0": "ZeroDivisionError",
@@ -55,7 +55,7 @@ INTEGRATORS = {
 }
 HW08 = "hw08_axis_angle"
 TESTS = 11 + len(load_examples(folder(HW08)).calls)
-BRIEF = {"TAM570_CALL_LIMIT": "2"}  # s, for what hangs: on a busy machine SciPy alone may take as long to import
+BRIEF = {"TAM570_CALL_LIMIT": "2"}  # s, only for calls that hang: on a busy machine, importing SciPy may take as long
 NAMED = "import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n"
 
 
@@ -73,7 +73,7 @@ def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, ta
 
 @pytest.mark.parametrize("above", [NAMED, "try:\n    import pandas\nexcept ImportError:\n    pandas = None\n"])
 def test_what_is_off_limits_or_missing_may_be_named(hw08, tam570, in_process, grade, above):
-    """As long as nothing of it is called: here, and where work is graded."""
+    """`check` and the grader accept a module that is forbidden or missing if no function of it is called."""
     text = hw08(above=above).read_text()
     assert tam570("check")[0] == 0 and grade(HW08, text).score == 10
 
@@ -89,7 +89,7 @@ def test_a_file_in_another_encoding_names_the_line(hw08, tam570, in_process, gra
 
 @pytest.mark.parametrize("body", first(4, CALLS))
 def test_what_a_call_does_wrong_is_said_at_once_and_costs_its_points_alone(hw08, tam570, grade, body, request):
-    if "2 s" not in CALLS[body] and "_exit" not in body:  # the others need a process that may end
+    if "2 s" not in CALLS[body] and "_exit" not in body:  # the others hang or exit, so they need their own process
         request.getfixturevalue("in_process")
     file = hw08(f"def rotate(r, axis, angle):\n    {body}")
     code, said = tam570("check", **(BRIEF if "2 s" in CALLS[body] else {}))
@@ -133,7 +133,7 @@ def test_a_terminal_without_greek_letters_is_enough(desk, solution_text):
 
 @pytest.mark.parametrize("tests", ["", "x = 1\ndef test(:\n", "import nothing_at_all\n\ndef test_mine(): pass\n"])
 def test_nothing_beside_the_work_has_a_say(hw08, tam570, tests):
-    """An emptied or broken module of tests, a conftest, options of pytest, modules named as Python's own."""
+    """`check` ignores an empty or broken module of tests, conftest.py, options of pytest, and a file random.py."""
     file = hw08("def rotate(r, axis, angle):\n    return 2 * np.asarray(r)\n")
     (file.parent / f"test_{file.name}").write_text(tests)
     (file.parent / "conftest.py").write_text("raise SystemExit")

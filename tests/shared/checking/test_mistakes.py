@@ -1,10 +1,10 @@
-"""Known mistakes are named by the student's own numbers, and a wrong one is not."""
+"""`check` names a known mistake if the student's numbers match it, and only then."""
 
 import pytest
 from parameters import first
 
 HW08, HW10, HW13 = "hw08_axis_angle", "hw10_free_rigid_body", "hw13_rolling_cylinder"
-NAMED = [  # a function of an assignment, what it returns instead, and what is said of it
+NAMED = [  # (slug, function, expression that it returns instead, words that `check` prints)
     (HW08, "rotation_matrix", "kept(axis, angle).T", "Your result of rotation_matrix is transposed."),
     (HW08, "rotation_matrix", "kept(axis, np.radians(angle))", "In rotation_matrix, angle is read as degrees."),
     (HW13, "energy", "kept(*args, **how) / how['mass']", "should be multiplied by mass."),
@@ -70,7 +70,7 @@ def test_loose_tolerances_are_named(desk, tam570, in_process, solution_text, abo
 
 
 def test_what_leaves_nothing_but_zeros_is_no_mistake(desk, tam570, in_process, solution_text):
-    """With omega reversed, which changes no other result, this one is zero, too."""
+    """Reversing omega changes only the wrong result, into a correct zero; that does not show that omega is wrong."""
     wrong = "\n\nkept = euler_equations\n\n\ndef euler_equations(omega, *, inertia):\n"
     wrong += "    return kept(omega, inertia=inertia) + (np.count_nonzero(omega) == 1 and omega[0] > 0)\n"
     (desk / f"{HW10}.py").write_text(solution_text(HW10) + wrong)

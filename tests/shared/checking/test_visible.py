@@ -1,4 +1,4 @@
-"""The visible tests take every right answer, of any style, and no stub."""
+"""The visible tests pass on correct answers of any style, and fail on stubs."""
 
 import shutil
 
@@ -52,7 +52,7 @@ def test_the_visible_tests_pass_on_right_answers_in_other_styles(desk, tam570, i
 
 @pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_the_visible_tests_take_any_numbers_and_give_arrays(desk, tam570, in_process, slug, course):
-    """SymPy's numbers and arrays of them are right results; only hw09's steps come as a list, and pairs as tuples."""
+    """Results may be SymPy numbers or arrays of them; arguments are arrays, tuples or plain, except hw09's list."""
     name = f"{slug}.py"
     (desk / name).write_text(EXACT.format(solution=str(course / "solutions" / name)))
     shutil.copy(course / "assignments" / slug / f"test_{name}", desk)

@@ -1,4 +1,4 @@
-"""`check --watch`, from a save to the result."""
+"""`check --watch`: from a saved file to the result."""
 
 import os
 import re
@@ -18,11 +18,11 @@ REFUSED = "test_rotate_refuses_what_is_no_axis"  # has three parameters
 
 @pytest.fixture
 def watching(hw08, tmp_path_factory):
-    """`watching(text)` -> what is said after this text is saved; None waits for the first result."""
+    """`watching(text)` -> the output after this text is saved, or of the first run if text is None."""
     file = hw08()
     command = [sys.executable, "-m", "tam570", "check", "hw08", "--watch"]
     temporary = tmp_path_factory.mktemp("temporary")
-    buffered = {**os.environ, "TMPDIR": str(temporary), "PYTHONUNBUFFERED": ""}  # as most people have it
+    buffered = {**os.environ, "TMPDIR": str(temporary), "PYTHONUNBUFFERED": ""}  # the usual default
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=buffered)
 
     def after(text=None, until=("all done", "next:")):
@@ -45,7 +45,7 @@ def watching(hw08, tmp_path_factory):
 
 
 def count(said):
-    """The tests that were run."""
+    """Return the number of tests that were run."""
     return int(re.search(r"(\d+) tests? run", said)[1])
 
 
@@ -64,7 +64,7 @@ def test_a_save_runs_the_tests_that_it_concerns_and_no_other(watching, desk, sol
 
 
 def test_a_mistake_is_that_of_the_function_that_changed(watching, solution_text):
-    """The tests of `rotate` alone have passed before, and are not run again."""
+    """Tests that call only `rotate` passed before and are not run again, so they name no mistake."""
     watching()
     wrong = "\n\nright = rotation_matrix\n\ndef rotation_matrix(*args):\n    return right(*args).T\n"
     said = watching(solution_text(SLUG) + wrong)

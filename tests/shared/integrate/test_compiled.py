@@ -1,4 +1,4 @@
-"""Compiled code: the motions of Python, kept on disk safely, open to interrupts, the same whatever ran before."""
+"""Compiled code: the motions of Python, a cache on disk, interrupts, and results that do not depend on other runs."""
 
 import math
 import os
@@ -25,7 +25,7 @@ print(*map(float.hex, end.tolist()), "numba" in sys.modules)
 
 
 def printed(cache, program, *arguments):
-    """What a new process prints that keeps its compiled code in this folder."""
+    """Return the output of a program in a new process that caches compiled code in the folder `cache`."""
     options = {**os.environ, "XDG_CACHE_HOME": str(cache)}
     run = subprocess.run([sys.executable, "-c", program, *arguments], env=options, capture_output=True, text=True)
     assert not run.stderr, run.stderr
@@ -33,7 +33,7 @@ def printed(cache, program, *arguments):
 
 
 def first_and_second(cache, between=lambda files: None):
-    """What two processes print, one after the other, with the same folder; `between` has the files of the first."""
+    """Return the outputs of two successive processes with one cache; call `between` with its files after each."""
     runs = []
     for _ in range(2):
         runs.append(printed(cache, RUN))
@@ -65,7 +65,7 @@ def test_a_second_process_takes_what_the_first_compiled(tmp_path):
     stamps = []
     run, two = first_and_second(tmp_path, unchanged)
     assert run == two and run.endswith("False\n")  # numba is not imported
-    assert len(stamps[0]) == 2 and stamps[0] == stamps[1]  # the series, and the loop for so many components
+    assert len(stamps[0]) == 2 and stamps[0] == stamps[1]  # the series, and the loop for this number of components
 
 
 @pytest.mark.parametrize("spoiled", first(1, [None, b"", b"nonsense"]))
@@ -79,7 +79,7 @@ def test_a_file_that_was_spoiled_is_made_again(tmp_path, spoiled):
 
     run, two = first_and_second(tmp_path, spoil)
     assert run == two
-    assert contents[0] == contents[1]  # the second process did not take it, and wrote its own
+    assert contents[0] == contents[1]  # the second process compiled again
 
 
 def test_a_folder_that_takes_nothing_is_no_hindrance(tmp_path):
@@ -106,7 +106,7 @@ def test_an_interrupt_is_heard_in_compiled_code():
     )
     run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     run.stdout.readline()
-    time.sleep(1.0)  # until it is under way
+    time.sleep(1.0)  # s, until the run has started
     run.send_signal(signal.SIGINT)
     assert "KeyboardInterrupt" in run.communicate(timeout=300)[1]
 
@@ -152,7 +152,7 @@ COUNT = CALLS.count("lambda: ")
 
 
 def answers(order, cache):
-    """{call: digests of its answers} of one new process."""
+    """Return {call: set of the digests of its results} of one new process."""
     digests = {}
     for line in printed(cache, CALLS, *map(str, order)).splitlines():
         which, digest = line.split()

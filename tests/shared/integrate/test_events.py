@@ -10,7 +10,7 @@ from tam570.integrate import solve
 
 
 def thrown(t, y):
-    """Constant rates: one step goes all the way."""
+    """Return the rates of a throw, whose motion is a polynomial: one step covers any time."""
     return y[1], -10.0
 
 
@@ -42,7 +42,7 @@ def test_a_direction_is_that_of_the_crossing():
 
 
 def test_two_crossings_in_one_step_are_two():
-    """Up and down through a level near the top, within a single step of a polynomial motion."""
+    """Both crossings of a level near the top are events, though they are in a single step."""
     waves = event(lambda t, y: math.sin(50 * t))
     motion = solve(thrown, [0, 2.0], [0.0, 10.0], events=[event(height(4.95)), event(height(5 - 5e-6)), waves])
     assert motion.events[0].t == pytest.approx([0.9, 1.1], abs=1e-12)
@@ -88,7 +88,7 @@ def test_what_is_no_event_is_refused(events):
 def test_a_motion_as_a_function_of_time_is_the_motion():
     t = np.linspace(0, 20, 77)
     motion = solve(oscillator, t, [1.0, 0.0], dense=True, rtol=1e-12)
-    assert (motion.at(t) == motion.states).mean() > 0.9  # but for roundings where a sample is the end of a step
+    assert (motion.at(t) == motion.states).mean() > 0.9  # except for rounding where a sample ends a step
     assert motion.at(t) == pytest.approx(motion.states, abs=4 * EPS)
     fine = np.linspace(0, 20, 1001)
     assert np.abs(motion.at(fine) - np.stack([np.cos(fine), -np.sin(fine)], 1)).max() < 1e-10
@@ -135,7 +135,7 @@ def test_a_report_tells_how_the_run_went():
     assert report.engine == "Python"
     assert report.untraced_reason == "it may change what it keeps"
     assert report.evaluations == 12 * (report.steps + report.refusals)
-    before, looks = 60, report.steps  # calls before the first step and of refusals; one a step looks for switches
+    before, looks = 60, report.steps  # calls before the first step and in refused steps; one per step finds switches
     assert report.evaluations <= calls[0] < report.evaluations + before + looks
     assert solve(oscillator, [0, 20.0], [1.0, 0.0], report=True).report.untraced_reason == ""
     assert "spacing" in solve(lambda t, y: (np.spacing(t),), [0, 2], [0.0], report=True).report.unseen_reason

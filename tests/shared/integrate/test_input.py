@@ -1,4 +1,4 @@
-"""Input that cannot be used is named, with its remedy."""
+"""Invalid input raises an error that names the argument and the remedy."""
 
 import math
 

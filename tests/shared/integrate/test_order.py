@@ -1,4 +1,4 @@
-"""Order of the methods, and steps that neither zeros deceive nor rounding stops."""
+"""Order of the methods; zeros of an error estimate do not mislead the steps, and rounding does not stop them."""
 
 import math
 from fractions import Fraction
@@ -46,7 +46,7 @@ def test_a_step_is_of_order_eight_and_its_estimates_of_five_and_three():
     steps = np.array([1.6, 1.2, 0.9, 0.7])
     results = [one_step(h) for h in steps]
     errors = [abs(n - exact_clock(h)) for h, (n, _, _) in zip(steps, results, strict=True)]
-    assert observed_order(steps, errors) > 8.5  # 9 of one step
+    assert observed_order(steps, errors) > 8.5  # the error of one step has order 9
     small = steps / 4
     fifth, third = np.transpose([one_step(h)[1:] for h in small]) ** 0.5
     assert observed_order(small, fifth) > 5.6
@@ -58,7 +58,7 @@ def test_inside_a_step_the_error_is_that_of_the_step():
         worst = max(abs(one_step(h, x) - exact_clock(x * h)) for x in np.linspace(0.02, 0.98, 25))
         n, fifth, third = one_step(h)
         estimate = fifth / math.sqrt(fifth + 0.01 * third)
-        assert worst < 5 * max(estimate, abs(n - exact_clock(h)))  # DOP853's own interpolant: 20 to 60
+        assert worst < 5 * max(estimate, abs(n - exact_clock(h)))  # 20 to 60 with DOP853's interpolant
 
 
 @pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])
@@ -83,14 +83,14 @@ def test_tolerances_beyond_rounding_finish():
 
 
 def test_an_estimate_that_passes_through_zero_deceives_nobody():
-    """The estimate of order 5 of this one component changes sign in the last step: 600 times the tolerance without."""
+    """The estimate of order 5 changes sign in the last step; used alone, it would let the error be 600 tolerances."""
     t = np.array([-3.0, -1.0, 2.0])
     states = solve(lambda t, y: (-y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12, method="python")
     assert states[:, 0] == pytest.approx(np.exp(-np.sin(t)), rel=1e-11)
 
 
 def test_atol_spares_steps_where_nobody_looks():
-    """A tiny component beside a large one, of the same kind: judged by itself, or by what is asked for."""
+    """An atol above the size of a tiny component saves the steps that its own scale needs."""
 
     def rates(t, y):
         return y[1], -y[0], y[3], -400 * y[2]

@@ -1,4 +1,4 @@
-"""A prepared run, and one that `solve` keeps, is that of `solve` from any start; it keeps nothing of the one before."""
+"""A prepared run, and a run that `solve` caches, give the states of `solve` from any start, whatever ran before."""
 
 import math
 from concurrent.futures import ThreadPoolExecutor
@@ -25,7 +25,7 @@ def bouncing(t, y):
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
 @pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
 def test_the_states_are_those_of_solve(monkeypatch, times, rhs, parameters):
-    monkeypatch.setattr("tam570.integrate.solver.solve", pytest.fail)  # the prepared code must do it
+    monkeypatch.setattr("tam570.integrate.solver.solve", pytest.fail)  # the prepared code must not call it
     for atol in (None, 1e-3, [1e-3, 0.0]):
         run = prepared(rhs, times, STARTS[0], parameters=parameters, rtol=1e-9, atol=atol)
         for start in STARTS[:3]:
@@ -45,7 +45,7 @@ def test_threads_do_not_share_their_memory():
 
 @pytest.mark.parametrize("start", [[1.0], [1, 2, 3], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []])
 def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
-    """By a prepared run, and by `solve` when it has kept one."""
+    """This holds for a prepared run, and for `solve` with a cached run."""
     run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
     call = partial(solve, pendulum, [0, 1], parameters=LENGTH, method="compiled")
     expected = [call(each) for each in STARTS[:3]]
@@ -78,7 +78,7 @@ def test_parameters_are_those_of_the_preparation(rhs):
 
 @pytest.fixture
 def prepared_call(monkeypatch):
-    """`prepared_call(rhs, times, ...)` -> start -> states: a call of solve that takes its cached run."""
+    """`prepared_call(rhs, times, ...)` -> a function start -> states that calls `solve` and must use its cached run."""
 
     def repeated(rhs, times, **arguments):
         call = partial(solver.solve, rhs, times, method="compiled", **arguments)
@@ -110,11 +110,11 @@ def test_a_call_of_which_anything_differs_is_another(prepared_call):
     times, arguments = np.array([0.0, 1.0, 3.0]), dict(LENGTH)
     run = prepared_call(pendulum, times, parameters=arguments)
     first = run(STARTS[0])
-    first[:] = 0.0  # a result is the caller's own
+    first[:] = 0.0  # the caller may change a result
     assert run(STARTS[0])[0].tolist() == STARTS[0]
     for change in (partial(times.__setitem__, 2, 2.0), partial(arguments.update, length=1.7)):
         change()
-        with pytest.raises(TypeError):  # an engine is asked for
+        with pytest.raises(TypeError):  # no cached run: `solve` calls `engine`, here None
             run(STARTS[0])
 
 

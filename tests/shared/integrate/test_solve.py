@@ -1,4 +1,4 @@
-"""States at the times asked for, many starts at once, constraints and rotations; and what an import loads."""
+"""`solve`: samples at any times, ensembles, constraints and rotations, and what an import loads."""
 
 import math
 
@@ -45,7 +45,7 @@ def test_an_ensemble_is_its_members():
     together = solve(pendulum, t, starts, parameters=PENDULUM, method="python")
     assert together.shape == (40, 7, 2)
     alone = [solve(pendulum, t, start, parameters=PENDULUM, method="python") for start in starts]
-    assert together == pytest.approx(np.array(alone), abs=1e-11)  # a tenth of rtol: NumPy rounds sines otherwise
+    assert together == pytest.approx(np.array(alone), abs=1e-11)  # a tenth of rtol: NumPy's sines round differently
     few = solve(lambda t, y: (y[1], -abs(float(y[0]))), t, starts[:3])
     assert few.shape == (3, 7, 2)
 
@@ -73,9 +73,9 @@ def test_projection_keeps_a_constraint_and_leaves_the_motion_right():
     assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, states).max() < 10 * EPS
     assert violation(lambda s: s[0] * s[2] + s[1] * s[3], states).max() < 1e-14
     angle = solve(pendulum, t, [math.pi / 2, 0.0], parameters=PENDULUM, rtol=1e-12)[:, 0]
-    assert states[:, 0] == pytest.approx(np.sin(angle), abs=1e-7)  # 2000 steps of 1e-12; the phase adds them up
+    assert states[:, 0] == pytest.approx(np.sin(angle), abs=1e-7)  # 2000 steps of 1e-12 add up in the phase
     free = solve(particle, t, [1.0, 0.0, 0.0, 0.0])
-    assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, free).max() > 1e-9  # what would happen without
+    assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, free).max() > 1e-9  # without the projection
 
 
 def test_rotations_stay_rotations_and_angular_momentum_stays():

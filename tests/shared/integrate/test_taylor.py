@@ -1,4 +1,4 @@
-"""Taylor's method: every function's series, tolerances, zeros that deceive nobody, samples, many motions at once."""
+"""Taylor's method: the series of every function, tolerances, zero coefficients, samples, ensembles."""
 
 import math
 from functools import partial
@@ -12,7 +12,7 @@ from tam570.invariants import drift
 pytest.importorskip("llvmlite")
 
 PLAIN = "sin cos tan asin acos atan sinh cosh tanh asinh atanh exp expm1 log log1p log2 log10 sqrt cbrt erf erfc"
-INNER = {  # of u between 0.3 and 0.7
+INNER = {  # functions of u between 0.3 and 0.7
     **{name: getattr(math, name) for name in PLAIN.split(" ")},
     "acosh": lambda u: math.acosh(1 + u),
     "hypot": lambda u: math.hypot(u, 2.0 - u),
@@ -32,7 +32,7 @@ SYMMETRIC = [(QUARTER, QUARTER), (QUARTER, -QUARTER), (math.pi, 0.0), (0.0, QUAR
 
 @pytest.mark.parametrize("name", INNER)
 def test_the_series_of_every_function(name):
-    """Of a function that goes up and down: by two methods that share nothing but its values."""
+    """For an argument that rises and falls, two methods agree that share only the values of the function."""
     inner = INNER[name]
 
     def rates(t, y):
@@ -52,7 +52,7 @@ def test_a_tolerance_is_kept_at_every_order(rtol):
 
 
 def double_pendulum(t, state):
-    """Two uniform bars of 1 m and 1 kg."""
+    """Return the rates of two uniform bars of 1 m and 1 kg."""
     a, b, p, q = state
     c, s = math.cos(a - b) / 2, math.sin(a - b) / 2
     f = -s * q * q - 1.5 * 9.81 * math.sin(a)
@@ -71,7 +71,7 @@ def energy(state):
 @pytest.mark.parametrize("rtol", [1e-4, 1e-8, 1e-12])
 def test_from_rest_at_symmetric_angles_the_energy_stays(angles, rtol):
     states = solve(double_pendulum, np.linspace(0, 10, 101), (*angles, 0.0, 0.0), rtol=rtol, method="compiled")
-    assert drift(energy, states).max() < 1e3 * rtol  # a few hundred steps; 0.17 where symmetry deceives
+    assert drift(energy, states).max() < 1e3 * rtol  # a few hundred steps; 0.17 if symmetry misleads them
 
 
 @pytest.mark.parametrize("power", [1, 2, 4, 8, 16, 40])
@@ -82,13 +82,13 @@ def test_gaps_between_the_coefficients_are_no_accuracy(power, rtol):
     assert plain == pytest.approx(2 + 2.0 ** (power + 1) / (power + 1), rel=10 * rtol)
     grow = partial(solve, lambda t, y: (1.0 + y[0] ** power,), [0.0, 0.5, 0.9], [0.0])
     curved, best = grow(rtol=rtol, method="compiled"), grow(rtol=1e-15, method="python")
-    assert curved == pytest.approx(best, rel=100 * rtol)  # it grows without bound behind t = 1.6, 1.1, ...
+    assert curved == pytest.approx(best, rel=100 * rtol)  # it becomes infinite at t = 1.6, 1.1, ...
 
 
 def test_a_step_is_judged_at_its_end():
-    """1 / (1 + t^8) has no coefficient between the first and the ninth: at a low order the step alone seems endless."""
+    """1 / (1 + t^8) has no coefficient between the first and the ninth: at a low order, no step seems too long."""
     end = solve(lambda t, y: (1 / (1 + t**8),), [0, 100.0], [1.0], rtol=1e-3, method="compiled")[-1, 0]
-    assert end == pytest.approx(1 + math.pi / 8 / math.sin(math.pi / 8), rel=1e-2)  # 7 where it is not
+    assert end == pytest.approx(1 + math.pi / 8 / math.sin(math.pi / 8), rel=1e-2)  # 7 if it is not
 
 
 def test_what_does_not_move_takes_no_steps_and_stays():

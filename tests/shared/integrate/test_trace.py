@@ -1,4 +1,4 @@
-"""A right-hand side is written down as it is, nothing missing, twice or stale, and kept until something changes."""
+"""Tracing writes a right-hand side as code, complete and without repetition, and caches it until anything changes."""
 
 import ast
 import dataclasses
@@ -21,7 +21,7 @@ GRAVITY = 9.81
 
 
 def operations(rhs, size, **parameters):
-    """Operations of one evaluation, counted in the generated source."""
+    """Return the number of operations in one evaluation of the generated source."""
     formulas, _ = written(traced(functools.partial(rhs, **parameters), size))
     rhs, *_ = ast.parse(rates(formulas)).body
     return sum(isinstance(node, (ast.BinOp, ast.UnaryOp, ast.Call)) for node in ast.walk(rhs))
@@ -65,7 +65,7 @@ def test_helpers_and_numpy_functions_are_traced_too():
 
 
 class Trouble(Exception):
-    """A function's own."""
+    """An exception that a right-hand side raises."""
 
 
 def test_a_refusal_says_why_and_an_error_of_the_functions_own_is_not_one():
@@ -122,7 +122,7 @@ class Spring:
 
 
 def changed_in_place():
-    """Right-hand sides, and functions that change what they read."""
+    """Return {name: (right-hand side, function that changes a value that it reads)}."""
     numbers, inner, matrix, values = [1.0], [1.0], np.array([[0.0, 1.0], [-1.0, 0.0]]), {"rate": 1.0}
     thing, module = types.SimpleNamespace(rate=1.0), types.ModuleType("constants")
     module.rate = 1.0
@@ -162,7 +162,7 @@ CASES = [("auto", each) for each in changed_in_place()] + [("compiled", each) fo
 @pytest.mark.parametrize(("method", "changed"), CASES)
 def test_what_is_changed_in_place_between_two_runs_is_seen(method, changed):
     rates, change = changed_in_place()[changed]
-    for _ in range(4):  # a compiled run is kept from the third on
+    for _ in range(4):  # a compiled run is cached from the third on
         assert end(rates, method) == pytest.approx(end(oscillator(1.0)), rel=1e-9)
     change()
     assert end(rates, method) == pytest.approx(end(oscillator(5.0)), rel=1e-9)

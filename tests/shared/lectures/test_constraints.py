@@ -87,7 +87,7 @@ def test_the_axle_that_lifts_is_named(way):
 
 
 def test_the_hinge_moves_the_centre_of_mass():
-    """F + weight = m a of G, its acceleration by differences along the solved motion."""
+    """F + weight = m a, with the acceleration of G from differences along the solved motion."""
     h = 1e-4
     for th, om in DRAW.normal(size=(5, 2)) * 2:
         states = solve(swinging_bar.rates, [0, h, 2 * h], [th, om], parameters=BAR, rtol=1e-14)
@@ -134,7 +134,7 @@ def test_newton_and_lagrange_agree_on_the_string():
         parameters = {"masses": DRAW.uniform(0.1, 5, 2), "gravity": 9.81}
         accelerations, tension = string.by_newton(state, **parameters)
         assert accelerations == pytest.approx(string.by_lagrange(state, **parameters), rel=1e-12, abs=1e-12)
-        # the mass below by itself: m2 r'' = T - m2 g
+        # Newton's law of the lower mass: m2 r'' = T - m2 g
         assert tension == pytest.approx(parameters["masses"][1] * (accelerations[0] + 9.81), rel=1e-12)
 
 
@@ -168,7 +168,7 @@ def test_too_slow_a_top_has_no_steady_precession():
 
 @pytest.mark.parametrize("share", [0.97, 1.03])
 def test_a_top_sleeps_as_its_motion_does(share):
-    """Next to upright: within 3 s the tilt grows many times, or hardly."""
+    """A top that is nearly upright keeps its tilt small for 3 s if and only if its spin is large enough."""
     spin = share * math.sqrt(4 * TOP["transverse"] * WEIGHT) / TOP["axial"]
     start = (0.0, 1e-4, 0.0, spin * TOP["axial"] / (2 * TOP["transverse"]), 0.0, 0.0)
     start = (*start[:5], spin - start[3])
@@ -178,7 +178,7 @@ def test_a_top_sleeps_as_its_motion_does(share):
 
 @pytest.mark.parametrize("shape", ["bowl", "saddle", "plane"])
 def test_the_force_of_the_surface_does_no_virtual_work(shape):
-    """Along both tangents it vanishes; with the weight it gives F = m a of the motion in space."""
+    """Its components along both tangents are zero; with the weight it gives F = m a of the motion in space."""
     parameters = {"mass": 1.7, "gravity": 9.81, "surface": shape, "curvature": 0.8}
     sx, sy = {"bowl": (0.8, 0.8), "saddle": (0.8, -0.8), "plane": (0, 0)}[shape]
     for x, y, u, v in DRAW.normal(size=(5, 4)):

@@ -1,4 +1,4 @@
-"""Equations of motion that neither an exact motion nor a limit tells, by another route: a Lagrangian."""
+"""Rates of lectures that no exact motion and no limit tests, derived again from a Lagrangian."""
 
 import numpy as np
 import pytest
@@ -33,7 +33,7 @@ def bodies():
 
 
 def convergence():
-    """Two particles on rods without mass."""
+    """Return the Lagrangian system of two particles on massless rods."""
     (a, b), (p, q), (m1, m2), (r1, r2) = symbols("a", "b"), symbols("p", "q"), (0.7, 1.9), (1.3, 0.8)
     v1, v2 = r1 * p, r2 * q
     T = (m1 * v1**2 + m2 * (v1**2 + v2**2 + 2 * v1 * v2 * sympy.cos(a - b))) / 2

@@ -1,4 +1,4 @@
-"""What holds for every lecture. A new module comes under these laws by being there."""
+"""Laws that hold for every lecture; the tests find a new lecture by its module."""
 
 import inspect
 import math
@@ -16,7 +16,7 @@ from tam570.lectures import load, names
 MOVING = [name for name in names() if hasattr(load(name), "rates")]
 EXACT = [name for name in names() if hasattr(load(name), "exact")]
 
-# Some motions end, or lose what they began with; they are followed for as long as their film.
+# These motions end, or an invariant loses its digits; they run only as long as their film.
 ENDING = {
     "quadratic_drag": "at terminal speed the velocity across, by which the invariant divides, is exponentially small",
     "rocket": "the tank is empty",
@@ -24,7 +24,7 @@ ENDING = {
 
 
 def parts(name):
-    """rates and invariants of a lecture with its parameters in place, and its start."""
+    """Return rates(t, state) and {name: invariant(state)} of a lecture with its example parameters, and its start."""
     module = load(name)
 
     def rates(t, state):
@@ -35,7 +35,7 @@ def parts(name):
 
 
 def characteristic_time(name):
-    """s; one radian of the fastest small motion about the start."""
+    """Return the time, s, of one radian of the fastest small motion about the start."""
     rates, _, start = parts(name)
     h = 1e-5 * (1 + np.abs(start))
     nearby = [(np.array(rates(0.0, start + d)) - rates(0.0, start - d)) / (2 * d.max()) for d in np.diag(h)]
@@ -43,9 +43,9 @@ def characteristic_time(name):
 
 
 def wandered(invariant, states):
-    """How far an invariant goes from its start, relative to its size, or to what one number of the state adds to it.
+    """Return the largest change of an invariant, relative to its size or to what one number of the state adds to it.
 
-    A momentum that is zero has no size of its own.
+    The latter is for a momentum that is zero.
     """
     values = np.array([np.ravel(invariant(state)) for state in states])
     worth = [np.ravel(invariant(states[0] * (1 - 0.1 * unit))) - values[0] for unit in np.eye(states.shape[1])]
@@ -63,7 +63,7 @@ def test_no_lecture_loads_heavy_libraries_nor_does_a_film():
     assert not imported_modules(f"{code}show(load('least_action'))") & {"matplotlib", "sympy", "scipy", "PIL"}
 
 
-@pytest.mark.parametrize("name", sorted({*names()} - {"inertia", "modes"}))  # which have a matrix by the same name
+@pytest.mark.parametrize("name", sorted({*names()} - {"inertia", "modes"}))  # where a matrix has the same name
 @pytest.mark.parametrize("wrong", [math.nan, math.inf, 1e200, "many", None, [[1.0]]])
 def test_a_parameter_that_is_no_number_is_refused_by_name(name, wrong):
     module = load(name)
@@ -90,7 +90,7 @@ def test_a_mass_of_zero_and_a_state_of_another_shape_are_refused_by_name(name):
 
 @pytest.mark.parametrize("name", MOVING)
 def test_rates_are_plain_floats_and_can_be_traced(name):
-    """Anywhere: an integrator may try a state beyond the physical; it takes the step again."""
+    """Also for states that are not physical: an integrator may try one, and then repeat the step."""
     module = load(name)
     start = np.array(module.START)
     trials = [start, 0 * start, np.ones_like(start), -start, 1e3 * start[::-1], *(start * (1 - np.eye(len(start))))]
@@ -99,7 +99,7 @@ def test_rates_are_plain_floats_and_can_be_traced(name):
             rates = function(0.0, trial.tolist(), **module.EXAMPLE)
             assert len(rates) == len(start) and all(type(rate) is float for rate in rates)
         report = solve(function, [0.0, 1e-3], start, parameters=module.EXAMPLE, report=True).report
-        assert not report.untraced_reason or name == "rocket"  # which asks for its mass
+        assert not report.untraced_reason or name == "rocket"  # which branches on its mass
 
 
 @pytest.mark.parametrize("count", [10, pytest.param(1000, marks=pytest.mark.slow)])
@@ -120,7 +120,7 @@ def test_the_exact_motion_is_the_solved_one(name, begin):
     times = begin + np.linspace(0.0, module.SECONDS, 40)
     exact, solved = module.exact(times, start, **module.EXAMPLE), solve(rates, times, start, rtol=1e-12)
     assert exact.shape == solved.shape and exact[0] == pytest.approx(start, rel=1e-14, abs=1e-14)
-    assert np.abs(exact - solved).max() < 1e-8 * np.abs(solved).max()  # what the solution loses in these seconds
+    assert np.abs(exact - solved).max() < 1e-8 * np.abs(solved).max()  # the error of `solve` over these seconds
 
 
 @pytest.mark.parametrize("name", first(4, names()))
@@ -139,7 +139,7 @@ def test_a_copy_plays_with_other_numbers(name, here, capsys):
     [
         ("oscillator", "mass=0 mass=many mass=1,2 stiffness=1e99 seconds=-1 seconds=1e9 start.vx=nan", 1),
         ("oscillator", "weight=2 mass", 2),
-        *((name, "start.R11=7.3", 1) for name in ("drifting_matrix", "wrong_coordinates")),  # no rotation
+        *((name, "start.R11=7.3", 1) for name in ("drifting_matrix", "wrong_coordinates")),  # not a rotation
     ],
 )
 def test_what_cannot_be_shown_is_not(name, changes, code, here, capsys):

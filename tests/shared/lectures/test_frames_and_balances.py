@@ -31,7 +31,7 @@ def test_to_space_and_back():
 
 
 def test_a_swing_on_the_turning_earth_keeps_to_foucaults_plane():
-    """The linear equations with Coriolis' force, solved; the bob comes to rest in the plane, a period apart."""
+    """The path solves the linear equations with Coriolis' force; after whole periods it is in Foucault's plane."""
     earth = {"length": 4.0, "gravity": 9.81, "latitude": 0.7, "spin": 0.3}
     rate = earth["spin"] * math.sin(earth["latitude"])
 
@@ -50,13 +50,13 @@ def test_a_swing_on_the_turning_earth_keeps_to_foucaults_plane():
 
 
 def wandering(t, coefficients):
-    """Value, first and second derivative of a cubic in t."""
+    """Return the value, first and second derivative of a cubic in t."""
     a, b, c, d = coefficients
     return a + b * t + c * t**2 + d * t**3, b + 2 * c * t + 3 * d * t**2, 2 * c + 6 * d * t
 
 
 def moving_point(t, way, axis, speeds, slide):
-    """A, R, omega, alpha, and the point in the body with its rates, of a body that turns unevenly about an axis."""
+    """Return A and a point p in the body, each with two derivatives, and R, omega, alpha of an uneven rotation."""
     angle, rate, quicker = wandering(t, speeds)
     R = matrix_from_axis_angle(axis, angle)
     return wandering(t, way), R, rate * axis, quicker * axis, wandering(t, slide)

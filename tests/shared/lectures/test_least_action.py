@@ -14,7 +14,7 @@ HALF = math.pi * math.sqrt(0.8 / 9.81)  # s, half a period of a small swing
 
 
 def swing(theta, omega, duration, points):
-    """Angles of the solved motion."""
+    """Return the angles of the solved motion."""
     times = np.linspace(0.0, duration, points)
     return solve(lambda t, y: (y[1], -9.81 / 0.8 * math.sin(y[0])), times, [theta, omega], rtol=1e-12)[:, 0]
 
@@ -39,7 +39,7 @@ def test_every_neighbour_has_more_action():
 
 
 def test_the_action_is_kinetic_less_potential_over_time():
-    """At rest, -V T with V = -g l cos; at a steady pace without gravity, l^2 th'^2/2 T."""
+    """At rest it is -V T with V = -g l cos; at a constant rate without gravity, l^2 th'^2/2 T."""
     assert action(np.full(5, 0.4), 2.0, **SCENE) == pytest.approx(2.0 * 9.81 * 0.8 * math.cos(0.4))
     assert action(np.linspace(0, 1, 9), 2.0, length=0.8, gravity=0.0) == pytest.approx(0.8**2 / 2 * 0.25 * 2.0)
 
@@ -58,7 +58,7 @@ def test_what_is_no_motion_is_no_minimum():
 
 @pytest.mark.parametrize("share", [0.999, 1.0, 1.001, 1.3, 2.5])
 def test_past_half_a_period_another_motion_has_less(share):
-    """It obeys the equation of motion, and its action is no more than that of staying at rest."""
+    """`path` obeys the equation of motion, and past half a period it has less action than rest."""
     duration, points = share * HALF, 401
     result = path(0.0, 0.0, duration, points=points, **SCENE)
     h = duration / (points - 1)

@@ -16,7 +16,7 @@ ROD = {"mass": 1.3, "inertia": 0.2, "arms": (-0.5, 0.3), "speed": 0.8}
 
 
 def matrices(squares):
-    """A random mass matrix, and a stiffness that has these squares of frequencies."""
+    """Return a random mass matrix and a stiffness matrix with these squares of frequencies."""
     n = len(squares)
     root = DRAW.normal(size=(n, n)) + 3 * np.eye(n)
     Q, _ = np.linalg.qr(DRAW.normal(size=(n, n)))
@@ -47,7 +47,7 @@ def test_the_unstable_have_negative_squares():
 
 
 def contact():
-    """Random bodies that approach, and what they are."""
+    """Return velocities, normal, arms, and {masses, inertias} of two random bodies that approach each other."""
     angle = DRAW.uniform(-math.pi, math.pi)
     n, arms = np.array([math.cos(angle), math.sin(angle)]), DRAW.normal(size=(2, 2))
     velocities = DRAW.normal(size=(2, 3))
@@ -58,13 +58,13 @@ def contact():
 
 
 def speed(velocities, n, arms):
-    """m/s, at which the two points in contact approach along n."""
+    """Return the speed, m/s, at which the two points in contact approach each other along n."""
     points = velocities[:, :2] + velocities[:, 2:] * np.column_stack([-arms[:, 1], arms[:, 0]])
     return float((points[0] - points[1]) @ n)
 
 
 def momenta(v, arms, masses, inertias):
-    """Linear, and angular about the contact."""
+    """Return the linear momentum and the angular momentum about the contact."""
     across = arms[:, 1] * v[:, 0] - arms[:, 0] * v[:, 1]
     return [*masses @ v[:, :2], masses @ across + inertias @ v[:, 2]]
 
@@ -156,7 +156,7 @@ def test_only_the_ratio_of_the_stiffnesses_matters_and_it_does():
 
 
 def test_a_much_stiffer_contact_collides_first():
-    """In the limit the rod hits one contact, then the other, as rigid bodies do, until it leaves both."""
+    """In the limit the rod collides with the contacts in turn, as rigid bodies do, until it leaves both."""
     (up, turning), _ = stiff_impact.two_contacts((1e6, 1.0), **ROD)
     rod, arms = np.array([[0.0, -ROD["speed"], 0.0], [0.0, 0.0, 0.0]]), ROD["arms"]
     bodies = {"masses": (ROD["mass"], math.inf), "inertias": (ROD["inertia"], math.inf), "restitution": 1.0}

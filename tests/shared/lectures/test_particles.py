@@ -23,7 +23,7 @@ def test_the_tensor_of_an_orbit_knows_its_plane_and_energy():
 
 
 def at_pericentre(eccentricity, gm):
-    """A start in a random plane, at the distance 1 - e."""
+    """Return a start at the pericentre, at the distance 1 - e, in a random plane."""
     x, y = np.linalg.qr(DRAW.normal(size=(3, 3)))[0][:2]
     near = 1 - eccentricity
     return np.concatenate([near * x, math.sqrt(gm * (1 + eccentricity) / near) * y])
@@ -35,7 +35,7 @@ def test_elements_and_exact_orbits_of_any_eccentricity(eccentricity):
     start = at_pericentre(eccentricity, gm)
     orbit = planet.elements(start, gm=gm)
     T = 2 * math.pi / math.sqrt(gm)
-    lost = 4e-16 / (1 - eccentricity) * 10  # the energy is a difference of what is 1/(1 - e) times as large
+    lost = 4e-16 / (1 - eccentricity) * 10  # the energy is a difference of terms 1/(1 - e) times as large
     assert orbit["eccentricity"] == pytest.approx(eccentricity, abs=lost)
     assert orbit["semi_major_axis"] == pytest.approx(1.0, rel=lost) and orbit["period"] == pytest.approx(T, rel=lost)
     far = planet.exact([0.0, T / 2, 0.77 * T], start, gm=gm)
@@ -111,7 +111,7 @@ def test_the_wrong_rocket_conserves_its_own_momentum_and_differs():
 
 
 def folded_energy(x, v, length, gravity):
-    """J for a density of 1 kg/m, of each half by itself: its length, and where its middle hangs."""
+    """Return the energy, J, of both parts for 1 kg/m, from their lengths and the heights of their middles."""
     falling, hanging = (length - x) / 2, (length + x) / 2
     return falling * v**2 / 2 - gravity * (falling * (x + falling / 2) + hanging**2 / 2)
 
@@ -128,7 +128,7 @@ def test_the_folded_chain_keeps_energy_or_falls_freely():
 
 @pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
 def test_what_the_heap_supplies_is_not_lost(supplied):
-    """The power that lifts, less the rates of kinetic energy and of the weight's, is (1/2 - supplied) density v^3."""
+    """The lifting power minus the rates of kinetic and potential energy is (1/2 - supplied) density v^3."""
     v, density, g = 3.0, 0.5, 9.81
     power = v * chains.lifted(1.2, v, density=density, gravity=g, supplied=supplied)
     assert power - density * v**3 / 2 - density * g * 1.2 * v == pytest.approx((0.5 - supplied) * density * v**3)
@@ -136,7 +136,7 @@ def test_what_the_heap_supplies_is_not_lost(supplied):
 
 @pytest.mark.parametrize("supplied", [0.0, 0.3, 0.5])
 def test_the_scale_bears_what_momentum_balance_of_the_whole_chain_leaves(supplied):
-    """The part above falls by (length - x) v' = (length - x) g + supplied v^2; the reading is the weight less p'."""
+    """The part above obeys (length - x) v' = (length - x) g + supplied v^2; the reading is the weight minus p'."""
     length, density, g = 2.0, 0.4, 9.81
 
     def fall(t, state):

@@ -1,4 +1,4 @@
-"""What cannot be is refused with a ValueError that names the argument, in every function of the lectures."""
+"""Functions of the lectures refuse impossible arguments with a ValueError that names the argument."""
 
 import inspect
 import math
@@ -22,7 +22,7 @@ SWING = dict(duration=1.0, length=0.8, gravity=9.81)
 TOP = dict(mass=0.8, distance=0.3, axial=0.02, transverse=0.09, gravity=9.81)
 UNBOUND = [(1, 0, 0, x, y, 0) for x, y in ((0, 1.5), (0, math.sqrt(2.0)), (0.5, 0), (0, 0))]
 VECTORS = [[1, 2], [INF, 0, 0], [[0] * 3]]
-# Functions, arguments beside those of the example, and what is refused in the place of each.
+# (functions, arguments in addition to the lecture's example, {argument: values that are refused}).
 REFUSALS = [
     ("rod.by_constraint rod.by_elimination", dict(forces=(3, -1), masses=(1, 1)), dict(forces=[(3,)])),
     ("rod.by_constraint rod.by_elimination", dict(forces=(3, -1)), dict(masses=[(0, 0), (-1, 2), (1, NAN), (1,)])),

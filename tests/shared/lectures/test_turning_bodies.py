@@ -1,4 +1,4 @@
-"""Laws of the lectures on rotations, gimbals, cones, bearings, matrices as states, and coordinates that are none."""
+"""Laws of the lectures on rotations, gimbals, cones, bearings, matrices as states, coordinates that do not exist."""
 
 import math
 
@@ -12,7 +12,7 @@ from tam570.lectures import bearings, cones, drifting_matrix, dyads, gimbals, sp
 from tam570.rotations import exp
 
 DRAW = np.random.default_rng(571)
-STEP = 1e-5  # of differences, which are then off by 1e-10 and by 1e-11 of rounding
+STEP = 1e-5  # of central differences, with an error of 1e-10, and of 1e-11 by rounding
 BODIES = [
     {"axial": C, "transverse": A, "spin": s, "wobble": w}
     for C, A in ((2.0, 1.0), (0.3, 1.4), (1.0, 1.0))
@@ -39,7 +39,7 @@ class TestGimbals:
         for _ in range(20):
             angles, rates = DRAW.uniform(-3, 3, 3), DRAW.normal(size=3)
             omega = gimbals.angular_velocity(angles, rates, sequence)
-            # the rates are as much larger than omega as the lock is near
+            # near the lock, the rates are much larger than omega
             assert gimbals.euler_rates(angles, omega, sequence) == pytest.approx(rates, rel=1e-9, abs=1e-9)
 
     def test_the_lock_is_told_by_its_angle(self, sequence):
@@ -52,7 +52,7 @@ class TestGimbals:
 
 @pytest.mark.parametrize("body", BODIES)
 def test_cones_touch_and_roll(body):
-    """omega lies on both cones; the same arc is rolled on each."""
+    """omega is on both cones, which roll over equal arcs."""
     t = np.linspace(0.0, 3.0, 7)
     omega, axis = cones.omega(t, **body), cones.axis(t, **body)
     size = math.hypot(body["spin"], body["wobble"])
@@ -66,7 +66,7 @@ def test_cones_touch_and_roll(body):
 
 @pytest.mark.parametrize("body", BODIES)
 def test_cones_are_the_free_motion_of_the_body(body):
-    """The axis moves with the body, axis' = omega x axis; H by omega and axis stands still."""
+    """The axis moves with the body, axis' = omega x axis, and the angular momentum H is constant."""
     t = np.linspace(0.0, 3.0, 7)
     omega, axis = cones.omega(t, **body), cones.axis(t, **body)
     rate = (cones.axis(t + STEP, **body) - cones.axis(t - STEP, **body)) / (2 * STEP)
@@ -80,13 +80,13 @@ def test_cones_are_the_free_motion_of_the_body(body):
 def test_cones_in_their_limits():
     spinning = {"axial": 2.0, "transverse": 1.0, "spin": 3.0}
     assert cones.body_cone(**spinning, wobble=0.0) == 0.0 == cones.space_cone(**spinning, wobble=0.0)
-    assert cones.precession_rate(**spinning, wobble=1e-4) == pytest.approx(2 * 3.0, rel=1e-8)  # a disk, twice its spin
+    assert cones.precession_rate(**spinning, wobble=1e-4) == pytest.approx(2 * 3.0, rel=1e-8)  # a disk: twice its spin
     assert cones.omega(0.5, **spinning, wobble=1.0).shape == (3,)
     assert (cones.omega([0.0, 1.0], **{**spinning, "spin": 0.0}, wobble=0.0) == 0).all()
 
 
 def test_bearings_give_the_rate_of_angular_momentum():
-    """H of the turning body in space, by differences, taken back into the body."""
+    """The moment is the rate of H in space, by differences at t = 0, where the body's axes are those of space."""
     for _ in range(5):
         points, (spin, spin_rate) = DRAW.normal(size=(6, 3)), DRAW.normal(size=2)
         body = np.sum(points**2) * np.eye(3) - points.T @ points
@@ -104,7 +104,7 @@ def triad():
 
 
 def test_the_matrix_moves_as_euler_has_it():
-    """Two derivations: omega in space, and omega in the body, with H constant and with Euler's equations."""
+    """Two derivations agree: omega in space with H constant, and omega in the body with Euler's equations."""
     moments = {"inertia": (1.0, 2.3, 2.9)}
     for _ in range(5):
         R, omega = triad(), DRAW.normal(size=3)
@@ -125,7 +125,7 @@ def test_the_matrix_drifts_and_rotations_do_not():
         return (B - C) * w[1] * w[2] / A, (C - A) * w[2] * w[0] / B, (A - B) * w[0] * w[1] / C
 
     _, matrices = solve_rotation(euler, times, m.START[9:], np.eye(3), rtol=1e-6)
-    assert rotation_defect(matrices).max() < 1e-14 < 1e-6 < defects[-1]  # rounding
+    assert rotation_defect(matrices).max() < 1e-14 < 1e-6 < defects[-1]  # only rounding, against drift
 
 
 def test_the_wrong_coordinates_keep_energy_and_size_and_lose_the_direction():
