@@ -13,12 +13,12 @@ import pytest
 
 class Quiet(http.server.SimpleHTTPRequestHandler):
     def log_message(self, *_):
-        """Say nothing: a page makes dozens of requests."""
+        """Log nothing, because a page makes dozens of requests."""
 
 
 @pytest.fixture(scope="session")
 def site(course, tmp_path_factory):
-    """The folder of the built site; warnings are errors. TAM570_SITE is one that `make docs` has just built."""
+    """Build the site, with warnings as errors, and return its folder; TAM570_SITE names one that is already built."""
     if built := os.environ.get("TAM570_SITE"):
         return Path(built).absolute()
     folder = tmp_path_factory.mktemp("site")
@@ -30,7 +30,7 @@ def site(course, tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def address(site):
-    """Where a server on this machine has the site."""
+    """Yield the address of a server for the site on this machine."""
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=str(site))) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
         yield f"http://127.0.0.1:{server.server_port}/"

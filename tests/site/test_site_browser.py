@@ -1,4 +1,4 @@
-"""The site in headless Chromium: quiet, without other servers, legible, for a phone, for readers, for paper."""
+"""The site in headless Chromium: no errors, no other servers, accessible, on a phone, without scripts, on paper."""
 
 import subprocess
 import sys
@@ -9,7 +9,7 @@ axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="no ax
 pytestmark = pytest.mark.slow
 LECTURE, SCENES = "generated/lectures/top.html", "generated/assignments.html"
 PHONE, DESK = (390, 844), (1280, 800)
-AXE = {"iframes": False, "preload": False, "resultTypes": ["violations"]}  # a scene is a page by itself
+AXE = {"iframes": False, "preload": False, "resultTypes": ["violations"]}  # scenes are checked as pages, not in iframes
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
-"""Every command and program of the site's pages is run, in the order of its page, in an empty folder.
+"""Run every command and program of the site's pages, in the order of the page, in an empty folder.
 
-A comment above a block says what a reader does by hand, `% prepared: COMMAND`, another exit code, `% exits 1: REASON`,
-or why the block is not run, `% not run: REASON`.
+A comment above a block can give a command for what a reader does by hand, `% prepared: COMMAND`, another exit code,
+`% exits 1: REASON`, or the reason why the block is not run, `% not run: REASON`.
 """
 
 import doctest
@@ -37,11 +37,11 @@ class Block(NamedTuple):
     text: str
     code: int  # the exit code that it should have
     reason: str  # why it is not run, or empty
-    prepared: str  # commands that stand for what a reader does by hand before
+    prepared: str  # commands to run first, instead of what a reader does by hand
 
 
 def blocks(text):
-    """The blocks of a page."""
+    """Yield the blocks of a page."""
     code, reason, prepared = 0, "", []
     for part in PARTS.finditer(text):
         directive, words, language, body = part.groups()
@@ -61,7 +61,7 @@ def texts(page):
 
 
 def run(block, folder, environment):
-    """Run a block, and what comes before it; a block of several lines stops at the first that fails."""
+    """Run the commands before a block, then the block, which stops at its first line that fails."""
     program = [sys.executable, "-W", "error", "-"] if block.language == "python" else ["bash", "-e", "-s"]
     if block.prepared:
         subprocess.run(["bash", "-e", "-c", block.prepared], cwd=folder, env=environment, check=True)
@@ -70,7 +70,7 @@ def run(block, folder, environment):
 
 @pytest.fixture
 def environment(tmp_path):
-    """That of a reader: our commands on the path, a home and nothing in it."""
+    """Return the environment of a reader: the course's commands on the path, and an empty home folder."""
     path = f"{os.path.dirname(sys.executable)}{os.pathsep}{os.environ['PATH']}"
     return {**os.environ, "PATH": path, "COURSE": str(DOCS.parent), "HOME": str(tmp_path / "home"), "MPLBACKEND": "Agg"}
 

@@ -1,6 +1,6 @@
-"""What the motions of the solutions keep: energy, momenta, constraints, to 1e-11 of their sizes, from any start.
+"""The motions of the solutions conserve energy, momenta and constraints to 1e-11 of their sizes, from any start.
 
-Each function runs one motion for some periods and returns what is to stay, in units of its size: rows over time.
+Each function simulates a motion for some periods and returns its invariants divided by their sizes, a row per time.
 """
 
 import math
@@ -14,12 +14,12 @@ from tam570_grader.checks import assignments
 KEPT = 1e-11
 NEXT_TO_TOP = math.pi - 1e-8  # rad
 SHAPES = {"disk": (0.25, 0.5), "hoop": (0.5, 1.0), "wheel": (0.61, 0.87), "roller": (4.0, 0.5)}  # A, C over m a^2
-# Without gravity the bars lose 1.3e-11 in 1000 s; down a ramp phi grows with the square of the time.
+# Not run for 1000 periods: weightless bars lose 1.3e-11 in 1000 s; down a ramp, phi grows as the square of time.
 FAST = {"hw07-weightless", "hw13-down a ramp", "hw13-small and heavy"}
 
 
 def uneven(periods, rate):
-    """Times from 3 s on, over periods of this rate."""
+    """Return 301 uneven times, s, from 3 s on, over `periods` periods of a motion with angular frequency `rate`."""
     steps = np.random.default_rng(570).uniform(0.1, 1.9, 300)
     return 3.0 + np.concatenate([[0.0], np.cumsum(steps) / steps.sum()]) * periods * 2 * math.pi / rate
 
@@ -32,7 +32,7 @@ def pendulum(periods, theta, omega, length=1.7, gravity=9.3):
 
 
 def spring(periods, mass, stiffness, gravity):
-    """The oscillator's tensor, whose trace is the energy, and the angular momentum about the centre."""
+    """Return the oscillator's tensor, whose trace is the energy, the angular momentum about the centre, the energy."""
     hw, k = assignments.solution("hw04_hanging_spring"), math.sqrt(stiffness / mass)
     position, velocity = np.array([1.3, -0.4, 0.9]), np.array([-0.7, 1.1, 0.3]) * k
     parameters = {"mass": mass, "stiffness": stiffness, "gravity": gravity}
@@ -44,7 +44,7 @@ def spring(periods, mass, stiffness, gravity):
 
 
 def circle(periods, theta, omega, length=1.7, gravity=9.3):
-    """That x^2 + y^2 is l^2, that the velocity is tangent, and the energy."""
+    """Return x^2 + y^2, the radial velocity and the energy; assert that the first two are 1 and 0 to 1e-12."""
     hw, k = assignments.solution("hw05_constrained_pendulum"), math.sqrt(gravity / length)
     c, s = math.cos(theta), math.sin(theta)
     start = length * np.array([s, -c, omega * k * c, omega * k * s])
@@ -58,7 +58,7 @@ def circle(periods, theta, omega, length=1.7, gravity=9.3):
 
 
 def bars(periods, theta, omega, masses=(1.3, 0.7), lengths=(0.9, 1.6), gravity=9.81):
-    """The energy; without gravity the angular momentum, too."""
+    """Return the energy, and without gravity the angular momentum, too."""
     hw = assignments.solution("hw07_double_pendulum")
     both = {"masses": np.array(masses), "lengths": np.array(lengths)}
     states = hw.simulate(uneven(periods, 2 * math.pi), theta, omega, **both, gravity=gravity)
@@ -71,7 +71,7 @@ def bars(periods, theta, omega, masses=(1.3, 0.7), lengths=(0.9, 1.6), gravity=9
 
 
 def body(periods, omega, inertia=(1.0, 2.0, 2.7)):
-    """The energy, the angular momentum in space; and R is a rotation."""
+    """Return the energy and the angular momentum in space; assert that R stays a rotation."""
     hw, inertia = assignments.solution("hw10_free_rigid_body"), np.array(inertia)
     R = np.linalg.qr(np.random.default_rng(10).normal(size=(3, 3)))[0]
     omegas, rotations = hw.simulate(uneven(periods, 2 * math.pi), R * np.linalg.det(R), omega, inertia=inertia)
@@ -82,7 +82,7 @@ def body(periods, omega, inertia=(1.0, 2.0, 2.7)):
 
 
 def bead(periods, steepness, curvature=0.37, gravity=9.3, way=1.0):
-    """At rest at an amplitude of so many 1/curvature, or on the way there."""
+    """Return the energy; the bead starts at `way` times its amplitude, steepness/curvature, at rest if `way` is 1."""
     hw, rate = assignments.solution("hw12_bead_on_wire"), math.sqrt(2 * curvature * gravity)
     amplitude, wire = steepness / curvature, {"curvature": curvature, "gravity": gravity}
     x, period = way * amplitude, hw.period(amplitude, **wire)
@@ -102,7 +102,7 @@ def cylinder(periods, phi, rate, mass=2.0, radius=0.5, offset=0.4, inertia=0.3, 
 
 
 def disk(periods, start, shape="disk", mass=1.7, radius=0.45, gravity=9.81):
-    """The energy by either simulation; R^T R and the height of the centre by that of matrices."""
+    """Return the energy of the simulation by angles; assert R^T R and the centre's height of that by matrices."""
     hw = assignments.solution("hw14_rolling_disk")
     parameters = {"mass": mass, "radius": radius, "gravity": gravity}
     parameters["inertia"] = tuple(k * mass * radius**2 for k in SHAPES[shape])
@@ -117,7 +117,7 @@ def disk(periods, start, shape="disk", mass=1.7, radius=0.45, gravity=9.81):
 
 
 def shuddering(tilt=1e-3, kick=0.1, mass=1.7, radius=0.45, gravity=9.81):
-    """A coin nearly flat: the motion of hw11 that rolls and slides at once, kicked."""
+    """Return the start of a nearly flat coin: the motion of hw11 that both rolls and slides, with a kick."""
     yaw_rate = math.sqrt(gravity / (SHAPES["disk"][0] * radius * math.sin(tilt)))
     return [0, 0, 0, tilt, 0, yaw_rate, kick * tilt * yaw_rate, -yaw_rate * math.cos(tilt)]
 

@@ -1,6 +1,6 @@
-"""Closed forms of the solutions keep their digits where plain formulas lose them: against fifty digits of mpmath.
+"""Closed forms of the solutions keep the digits that plain formulas lose, compared with fifty digits of mpmath.
 
-Each function yields a result, what it should be, and the size of the terms that it is a sum of.
+Each function yields a result, its exact value, and the size of the terms of the sum, or 0 if it is no larger.
 """
 
 import math
@@ -13,11 +13,11 @@ from tam570_grader.checks.assignments import solution
 
 ROUNDINGS = 1e-13  # relative; a closed form of a dozen operations
 NEXT_TO_TOP = math.pi - 1e-8  # rad
-BODY, SEPARATRIX = (1.0, 2.0, 2.7), (0.0, 1.0, 1e-12)  # kg m^2; omega next to it, rad/s
+BODY, SEPARATRIX = (1.0, 2.0, 2.7), (0.0, 1.0, 1e-12)  # kg m^2; omega near the separatrix, rad/s
 
 
 def pendulum():
-    """The height of a small swing; the period next to the top."""
+    """Yield the potential energy of small swings, and periods up to amplitudes near the top."""
     hw, rod = solution("hw01_simple_pendulum"), {"length": 1.7, "gravity": 9.3}
     for theta in (1e-8, 1e-3, 1.0, NEXT_TO_TOP):
         square = mp.sin(mp.mpf(theta) / 2) ** 2
@@ -26,7 +26,7 @@ def pendulum():
 
 
 def spring():
-    """Short times, at which a soft spring hardly differs from free fall."""
+    """Yield the height after a short time, in which a soft spring hardly differs from free fall."""
     hw = solution("hw04_hanging_spring")
     for stiffness in (1e-12, 1e-6, 1.0):
         k, t = mp.sqrt(mp.mpf(stiffness)), mp.mpf(0.7)
@@ -35,7 +35,7 @@ def spring():
 
 
 def circle():
-    """The nearest state on a circle, of any size."""
+    """Yield the components of the nearest state on a circle of any size."""
     hw = solution("hw05_constrained_pendulum")
     for length in (1e-6, 1.7, 1e6):
         state = np.array([3e-5, -2.0, 1.4e3, 7.0])
@@ -47,7 +47,7 @@ def circle():
 
 
 def bars():
-    """Accelerations and frequencies, of bars as good as massless and of very different lengths."""
+    """Yield accelerations and frequencies of bars that are nearly massless or have very different lengths."""
     hw, g = solution("hw07_double_pendulum"), 9.81
     theta, omega = np.array([1.0, 1.0 + 1e-9]), np.array([-1.7, 2.9])
     for masses in ((1.0, 1.0), (1.0, 1e-9), (1e-9, 1.0), (1e6, 1e-6)):
@@ -72,7 +72,7 @@ def bars():
 
 
 def body():
-    """The period of a tumble next to the separatrix, and any inertias."""
+    """Yield the period of a tumble for random inertias, and near the separatrix."""
     hw, rng = solution("hw10_free_rigid_body"), np.random.default_rng(10)
     random = [(np.sort(m.sum() - m), rng.normal(size=3)) for m in 10 ** rng.uniform(-6, 0, (50, 3))]
     near = [(BODY, omega) for omega in (SEPARATRIX, (1e-12, -1, 0), (0, 1, 1e-150), (1e-8, 1, 1e-12))]
@@ -87,7 +87,7 @@ def body():
 
 
 def bead():
-    """The period at any steepness, curvature times amplitude."""
+    """Yield the period for any steepness, which is curvature times amplitude."""
     hw, c, g = solution("hw12_bead_on_wire"), mp.mpf(0.37), mp.mpf(9.3)
     for amplitude in (1e-8, 1e-3, 1.0, 30.0, 1e4):
         expected = 4 * mp.ellipe(-((2 * c * mp.mpf(amplitude)) ** 2)) / mp.sqrt(2 * g * c)
@@ -95,7 +95,7 @@ def bead():
 
 
 def cylinder():
-    """The inertia about the contact, of an offset near the radius."""
+    """Yield the inertia about the contact for an offset near the radius."""
     hw = solution("hw13_rolling_cylinder")
     for offset in (1.7 * (1 - 1e-6), 1.7 * (1 - 1e-9)):
         r, e, phi = map(mp.mpf, (1.7, offset, 1e-7))
@@ -111,7 +111,7 @@ def test_closed_forms_keep_their_digits(results):
 
 
 def test_the_period_on_the_separatrix_is_infinite():
-    """Where both sides of C (C - B) r^2 = A (B - A) p^2 are whole numbers, no rounding hides that they are equal."""
+    """With integers, both sides of C (C - B) r^2 = A (B - A) p^2 are equal without rounding."""
     hw = solution("hw10_free_rigid_body")
     bodies = [(a, b, c) for c in range(3, 40) for b in range(2, c) for a in range(max(1, c - b), b)]
     motions = [(A, B, C, math.isqrt(C * (C - B)), math.isqrt(A * (B - A))) for A, B, C in bodies]

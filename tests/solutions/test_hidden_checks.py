@@ -1,4 +1,4 @@
-"""Hidden checks of single assignments: what each takes for right, and what not."""
+"""Hidden checks of single assignments: which answers they accept, and which they reject."""
 
 import math
 from types import SimpleNamespace
@@ -20,13 +20,13 @@ SPEED = 30.0  # m/s
 
 
 def run_check(definition, p, c):
-    """The hidden check of a student whose special motion is this."""
+    """Run the hidden check on a student whose special motion has these coefficients of P and C."""
     motion = np.asarray(p, float), np.asarray(c, float)
     CHECKS[f"special_motion_of_{definition}"].run(SimpleNamespace(special_motion=lambda _: motion), None)
 
 
 def turned(p, c, far=100.0):
-    """The same motion in a frame turned at random, far from the origin: all coefficients are rounded."""
+    """Return the motion in a frame turned at random and far from the origin, so all coefficients are rounded."""
     matrix, shift = np.linalg.qr(DRAW.normal(size=(3, 3)))[0], DRAW.normal(size=3) * far
     p, c = (np.asarray(f, float) @ matrix.T for f in (p, c))
     p[0] += shift
@@ -52,7 +52,7 @@ ON_ONE_LINE = SPECIAL.pop("P at rest on the line of C")  # b holds too
 
 @pytest.mark.parametrize(("definition", "p", "c"), SPECIAL.values(), ids=SPECIAL.keys())
 def test_any_special_motion_is_taken_for_its_definition_and_none_next_to_it(definition, p, c):
-    """Wherever it is, in any units and with zeros appended; not one whose P is disturbed, however far away."""
+    """A special motion passes at any place, in any units and with appended zeros; with a disturbed P it fails."""
     run_check(definition, p, c)
     run_check(definition, np.vstack([p, np.zeros((4, 3))]), c)
     for far in (100.0, 100.0, 1e7):  # as far as the surface of the Earth is from its centre
@@ -101,7 +101,7 @@ def test_none_that_only_seems_special_is_taken(definition, p, c, flaw):
 
 
 def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
-    """At the ends alone it has none: no simulation would be right to a part of that."""
+    """The scale comes from the path, because the heights at both ends are 0, to which no error can be relative."""
     columns = assignments.assignment(assignments.find(), "hw02_ballistics").results["simulate"].columns
     time = ballistics.flight_time(SPEED, math.pi / 2, drag=0.3, **BALL)
     call = Case(np.array([2.0, 2.0 + time]), SPEED, math.pi / 2, drag=0.3, **BALL)
@@ -159,8 +159,8 @@ def test_any_two_independent_equations_are_right_and_the_wrong_term_alone_fails(
     ("W", "changed", "failed"),
     [
         ("[[1, 1], [2, 2]]", {}, set(TERMS)),  # one equation twice
-        ("np.eye(2)", {"f": "-W(theta)", "g": "-W(theta)"}, {"f", "g"}),  # M of the other side
-        ("[[1, 1], [0, 1]]", {"M": "np.eye(2)"}, {"f", "g"}),  # Lagrange's M, which other equations contradict
+        ("np.eye(2)", {"f": "-W(theta)", "g": "-W(theta)"}, {"f", "g"}),  # M has the opposite sign to f and g
+        ("[[1, 1], [0, 1]]", {"M": "np.eye(2)"}, {"f", "g"}),  # Lagrange's M beside f and g of other equations
     ],
 )
 def test_terms_that_do_not_belong_together_fail(W, changed, failed, failed_terms):

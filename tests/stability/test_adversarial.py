@@ -1,8 +1,8 @@
-"""Right-hand sides that lead an integrator astray: it is right to a hundred times the tolerance, or says why not.
+"""Difficult right-hand sides: `solve` is correct to a hundred times the tolerance, or raises an error that says why.
 
 Contact, friction, jumps, pulses, lookups, branches, tuples, closures, state, randomness, edges of a domain. Each is
-compared with SciPy's DOP853 at its best tolerance and with short steps, stretch by stretch where there are jumps in
-time, or with an exact answer. The same call is made again: no answer depends on what ran before.
+compared with an exact answer, or with SciPy's DOP853 at its best tolerance and with short steps, which starts again at
+each jump in time. Each call is repeated, because no answer may depend on what ran before.
 """
 
 import bisect
@@ -29,12 +29,12 @@ TOOTHED = CubicSpline(np.arange(41) / 10, np.arange(41) == 25)
 
 
 def against(rhs, span, start, *, stops=(), longest=0.1, exact=None, **options):
-    """A case: right-hand side, times, start, times at which the rates jump, the longest step of the peer."""
+    """Return a case; the rates jump at the times `stops`, and SciPy's steps are at most `longest`."""
     return rhs, span, start, stops, longest, exact, options
 
 
 def newton(acceleration, span, start=(0.0, 0.0), **more):
-    """A case of a particle, by its acceleration at a time, place and speed."""
+    """Return a case of a particle with the acceleration(time, position, velocity)."""
     return against(lambda t, y: (y[1], acceleration(t, y[0], y[1])), span, start, **more)
 
 
@@ -44,7 +44,7 @@ def by_scipy(rhs, span, start, stops, longest):
     for end in (*stops, last):
         low, high = np.nextafter(first, math.inf), np.nextafter(end, -math.inf)
         rates = functools.partial(lambda t, y, a, b: np.array(rhs(min(max(t, a), b), np.array(y))), a=low, b=high)
-        with np.errstate(all="ignore"):  # it divides zero by zero where nothing moves yet
+        with np.errstate(all="ignore"):  # SciPy divides 0 by 0 if all rates are zero
             state = solve_ivp(rates, (first, end), state, **options).y[:, -1]
         first = end
     return state
@@ -59,7 +59,7 @@ def bouncing(stiffness, damping=0.0):
 
 
 def cradle(t, y):
-    """Three balls that touch, of which the first swings into the others."""
+    """Return the rates of three balls that touch; the first swings into the others."""
     push = 1e5 * np.maximum(y[:2] - y[1:3], 0.0) ** 1.5
     return *y[3:], *(np.append(0.0, push) - np.append(push, 0.0) - G * y[:3])
 
@@ -87,7 +87,7 @@ CONTACT = {
 
 
 def coulomb(t, y):
-    """Half a turn about 0.5, then one about -0.5, which has no room for another."""
+    """Return rates whose motion is half a turn about 0.5, then half a turn about -0.5, and then rest."""
     return y[1], -y[0] - 0.5 * np.sign(y[1])
 
 
@@ -123,7 +123,7 @@ FRICTION = {
 
 
 def forced(force, span, start=(0.0, 0.0), **more):
-    """A case of an oscillator under a force of time."""
+    """Return a case of an oscillator with a force that depends on time."""
     return newton(lambda t, x, v: force(t) - x, span, start, **more)
 
 
@@ -180,7 +180,7 @@ PULSES = {
     "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=0.05),
     "at rest at both ends": against(lambda t, y: (math.sin(t) ** 20,), (0, 3 * math.pi), [0.0], exact=[SINE_TO_20]),
     "from rest to rest": against(lambda t, y: (math.sin(t) ** 20,), (math.pi, 4 * math.pi), [0.0], exact=[SINE_TO_20]),
-    "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # whose derivatives are all zero
+    "from nothing": forced(lambda t: math.exp(-1 / t) if t > 0 else 0.0, (0, 10)),  # all derivatives are 0 at t = 0
     "logistic": forced(lambda t: 1 / (1 + math.exp(-200 * (t - 2))), (0, 4), longest=0.05),
     "train": forced(lambda t: 8 * math.exp(-((math.sin(2 * t) / 0.05) ** 2)), (0, 6), longest=0.05),
     "Lorentzian": forced(lambda t: 1 / (1 + ((t - 3) / 0.001) ** 2) * 100, (0, 5), longest=0.01),
@@ -189,7 +189,7 @@ PULSES = {
 
 
 def passing(force):
-    """A particle at unit speed, pushed where it is."""
+    """Return a case of a particle of unit speed with a force that depends on its position."""
     return newton(lambda t, x, v: force(x), (0, 8), [0.0, 1.0], longest=0.05)
 
 
@@ -242,7 +242,7 @@ def by_exception(t, y):
 
 
 def by_newton(t, y):
-    """Kepler's equation: how many iterations it takes, changes with time."""
+    """Solve Kepler's equation by Newton's iteration, whose number of steps changes with time."""
     angle = t
     for _ in range(50):
         change = (angle - 0.6 * math.sin(angle) - t) / (1 - 0.6 * math.cos(angle))
@@ -254,7 +254,7 @@ def by_newton(t, y):
 
 @dataclasses.dataclass
 class Oscillator:
-    """As it may change, it has no hash."""
+    """Rates of a class that is mutable, and so has no hash."""
 
     rate: float
 
@@ -272,11 +272,11 @@ def empty_cell():
 
 
 BENT = np.frompyfunc(lambda x: -x if x < 0.5 else -0.5, 1, 1)
-START, SINE = np.array([1.0, 0.0]), [math.cos(3.0), -math.sin(3.0)]  # one array for all: none of them may change it
+START, SINE = np.array([1.0, 0.0]), [math.cos(3.0), -math.sin(3.0)]  # shared by all cases: none may change it
 OSCILLATORS = {
     "of a matrix": lambda t, y: np.array([[0.0, 1.0], [-1.0, 0.0]]) @ y,
     "of halves": lambda t, y: np.concatenate([y[1:], -y[:1]]),
-    "adds slices": lambda t, y: (y[::-1] + y[::-1]) * np.array([0.5, -0.5]),  # tuples would be joined
+    "adds slices": lambda t, y: (y[::-1] + y[::-1]) * np.array([0.5, -0.5]),  # with tuples, + would concatenate
     "text": lambda t, y: (y[1], -y[0] if "Symbol" not in str(y[0]) and str(y[0])[0] in "-0123456789" else 7.0),
     "counting": counting,
     "eval": lambda t, y: (y[1], eval("-y[0]")),
@@ -391,17 +391,17 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
         exact = by_scipy(functools.partial(rhs, **options.get("parameters", {})), span, start, stops, longest)
     motion = solve(rhs, span, start, rtol=RTOL, report=True, **options)
     is_traced, first = not motion.report.untraced_reason, motion.states[-1]
-    repeats = [solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3 if is_traced else 1)]  # runs are kept
+    repeats = [solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3 if is_traced else 1)]  # cached
     assert all((state == first).all() for state in repeats)
     assert first == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
-    assert name not in COMPLEX or (not motion.report.unseen_reason and motion.report.steps < 200)  # looked into
+    assert name not in COMPLEX or (not motion.report.unseen_reason and motion.report.steps < 200)  # visible to `solve`
     if is_traced:
         compiled = solve(rhs, span, start, rtol=RTOL, method="compiled", **options)[-1]
         assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
 
 
 class Window:
-    """A window that keeps where it is, and what it was asked."""
+    """A window function that stores its table and its inputs."""
 
     def __init__(self):
         self.table, self.inputs = HAT, []
@@ -414,8 +414,8 @@ class Window:
         return 1 / (x - 1)
 
 
-# What a rate of 1 is raised by inside of a short window of x, its integral over x from 0 to 3, and for x in the state
-# the time that it saves.
+# name: (function that a rate of 1 grows by in a short window of x, its integral over x from 0 to 3, the time that it
+# saves if x is the state).
 WINDOWS = {
     "between": (lambda x: 1 < x < 1.01, 0.01, 0.005),
     "absolute": (lambda x: abs(x - 1) < 0.005, 0.01, 0.005),
@@ -460,7 +460,7 @@ WINDOWS = {
 }
 
 
-@pytest.mark.parametrize("name", first(len(WINDOWS) - 1, WINDOWS))  # as opaque as a grid, and slower
+@pytest.mark.parametrize("name", first(len(WINDOWS) - 1, WINDOWS))  # the last is like a grid, but slower
 def test_no_window_of_time_or_state_is_stepped_over(name):
     window, of_time, of_state = WINDOWS[name]
     end = solve(lambda t, y: (1.0 + float(window(t)),), [0, 3], [0.0], rtol=RTOL)[-1, 0]
@@ -475,7 +475,7 @@ def test_a_start_has_its_answer_whatever_started_before():
     passed = functools.partial(solve, lambda t, y: (y[1], 1.0 if 0.2 < y[0] < 0.5 else -y[0]), [0, 4])
     assert (passed(starts) == [passed(start) for start in starts]).all()
     iterated = functools.partial(solve, lambda t, y: (*(by_newton(t, y) if y[1] > 0 else -y[:1]), 0.0), [0, 1])
-    starts = [[0.0, 1.0], [0.3, -1.0]]  # of the first nobody can see where it switches
+    starts = [[0.0, 1.0], [0.3, -1.0]]  # the first has switches that cannot be located
     assert (iterated(starts) == [iterated(start) for start in starts]).all()
 
 
@@ -522,7 +522,7 @@ def test_what_a_function_keeps_are_numbers():
 
     solve(rates, [0, 3], [0.0, 1.0])
     assert {type(t) for t in times} == {float}
-    with pytest.raises(ValueError, match="remember"):  # of the last stages of a step, at one time
+    with pytest.raises(ValueError, match="remember"):  # the last stages of a step have one time
         solve(kept_by_time, [0, 3], [1.0, 0.0], rtol=RTOL, dense=True)
 
 
@@ -585,7 +585,7 @@ def kept_by_time(t, y, kept=[math.nan, ()]):  # noqa: B006
 
 
 class Mine(ValueError):
-    """An error of the right-hand side's own."""
+    """An exception that a right-hand side raises."""
 
 
 def own_error(t, y):
@@ -611,13 +611,13 @@ def table(t, y):
 
 
 def struck(duration):
-    """An oscillator at rest, struck by an impulse of 1."""
+    """Return the rates of an oscillator that is struck by an impulse of 1 at t = 1.5."""
     return lambda t, y: (y[1], (1 / duration if abs(t - 1.5) < duration / 2 else 0.0) - y[0])
 
 
 reciprocal = functools.lru_cache(lambda x: 1 / (x - 1))
 AT_1, TO_AND_FRO = r"t = (1|0\.99)", "to and fro at t = "
-REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticError
+REFUSED = {  # name: (rates, times, start, words of the message, the exception if it is no ArithmeticError)
     "it remembers": (remembers(), (0, 1), [1.0], "remember", ValueError),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], "remember", ValueError),
     "a memory with rounded keys": (rounded_memory(), (0, 2), [1.0], "remember", ValueError),
@@ -664,7 +664,7 @@ REFUSED = {  # rates, times, start, words, and the error if it is no ArithmeticE
 }
 
 
-@pytest.mark.parametrize("name", first(len(REFUSED) - 7, REFUSED))  # like others: poles, what holds, what remembers
+@pytest.mark.parametrize("name", first(len(REFUSED) - 7, REFUSED))  # the last seven resemble others
 def test_what_has_no_answer_is_said(name):
     rhs, span, start, words, *error = REFUSED[name]
     with pytest.raises(*error or [ArithmeticError], match=words):

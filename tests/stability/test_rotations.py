@@ -1,7 +1,7 @@
-"""Every conversion within 4 eps where digits are easily lost, against 50 digits by the textbook's formulas.
+"""Every conversion is correct to 4 eps where digits are easily lost, compared with textbook formulas in 50 digits.
 
-A matrix entry, a unit axis and a unit quaternion are measured absolutely; an angle and a rotation vector relative to
-the angle, so that 1e-300 is held to its last digits as well.
+Errors of matrix entries, unit axes and unit quaternions are absolute; errors of angles and rotation vectors are
+relative to the angle, so that the last digits of 1e-300 count, too.
 """
 
 import math
@@ -31,7 +31,7 @@ def fifty_digits():
 
 
 def exact(array):
-    """The numbers of an array as they stand."""
+    """Return the numbers of an array as numbers of mpmath, without rounding."""
     return np.vectorize(mpmath.mpf, otypes=[object])(np.asarray(array, dtype=float))
 
 
@@ -54,7 +54,7 @@ def hat(v):
 
 
 def exact_matrix(axis, angle):
-    """Rodrigues' formula."""
+    """Return the matrix by Rodrigues' formula."""
     n, (c, s) = unit(axis), mpmath.cos_sin(mpmath.mpf(angle))
     return c * IDENTITY + (1 - c) * np.outer(n, n) + s * hat(n)
 
@@ -66,7 +66,7 @@ def exact_euler_matrix(sequence, angles):
 
 
 def singly_and_in_a_batch(function, *arguments):
-    """A conversion of one rotation, and of the first of two: both ways in have to hold."""
+    """Yield the result of a conversion for one rotation, and for the first in a batch of two."""
     yield function(*arguments)
     pair = function(*(np.array([a, a]) for a in arguments))
     yield tuple(part[0] for part in pair) if isinstance(pair, tuple) else pair[0]
@@ -79,14 +79,14 @@ def exact_quaternion_matrix(q):
 
 
 def conversions(axis, angle):
-    """Functions, their arguments, and how far off a result is: absolutely, or relative to the angle."""
+    """Yield (function, its arguments, function result -> error), the error absolute or relative to the angle."""
     n, R = unit(axis), rounded(exact_matrix(axis, angle))
     v, half = angle * rounded(n), mpmath.mpf(angle) / 2
     by_vector = exact_matrix(v, mpmath.sqrt((exact(v) ** 2).sum()))
     quaternion = np.array([mpmath.cos(half), *(mpmath.sin(half) * n)])
 
     def apart(vector, direction):
-        """Largest component of a difference, the sign free next to half a turn."""
+        """Return the largest component of the difference; near half a turn, of either sign."""
         return min(error(vector, s * direction) for s in ((1, -1) if angle > math.pi - 1e-15 else (1,)))
 
     yield rotations.axis_angle_from_matrix, (R,), lambda pair: max(apart(pair[0], n), error(pair[1], 2 * half) / angle)
@@ -113,7 +113,7 @@ def test_a_conversion_of_any_axis_and_angle(axis):
 
 
 def test_round_trips_next_to_half_a_turn():
-    """There a rotation vector's own rounding takes 2 eps, and its length must be right to the last digit."""
+    """Near half a turn, rounding a rotation vector costs 2 eps, so its length must be correct to the last digit."""
     rng = np.random.default_rng(573)
     axes, size = rng.normal(size=(100_000, 3)), 10.0 ** rng.uniform(-14, -3, 100_000)
     R = rotations.matrix_from_axis_angle(axes, math.pi - size)
@@ -122,7 +122,7 @@ def test_round_trips_next_to_half_a_turn():
 
 
 def middle_angles(sequence):
-    """In gimbal lock, next to it and away from it."""
+    """Return middle angles in gimbal lock, near it and away from it."""
     if sequence[0] == sequence[2]:
         return [0.0, *SMALL, 1.0, *(math.pi - d for d in (0, *SMALL))]
     return [*SMALL, 1.0, *(s * (math.pi / 2 - d) for d in (0, *SMALL) for s in (1, -1))]
@@ -138,12 +138,12 @@ def test_euler_angles_to_matrix_and_back(sequence):
                 assert error(R, reference) <= ALLOWED, angles
             for back in singly_and_in_a_batch(lambda R: rotations.euler_from_matrix(sequence, R), R):
                 assert error(R, exact_euler_matrix(sequence, back)) <= ALLOWED, angles
-                if middle != 0:  # exactly in lock only the sum or the difference is to be had
+                if middle != 0:  # in lock only the sum or the difference is determined
                     assert error(back, exact(angles)) <= ALLOWED, angles
 
 
 def matrices_to_mend():
-    """Little noise and extreme sizes; much noise and the wrong hand, where singular vectors lose a digit."""
+    """Yield rotations with little noise and extreme sizes, and with much noise, where singular vectors lose a digit."""
     rng = np.random.default_rng(574)
     for i, R in enumerate(rotations.exp(rng.normal(size=(60, 3)))):
         noise = rng.normal(size=(3, 3))
@@ -153,7 +153,7 @@ def matrices_to_mend():
 
 
 def test_nearest_rotation():
-    """Against 50 digits' singular vectors; rounding M turns the result by its condition, max stretch over sum."""
+    """`nearest` agrees with singular vectors in 50 digits; rounding of M is magnified by max stretch over sum."""
     for M in matrices_to_mend():
         U, stretch, Vt = mpmath.svd_r(mpmath.matrix(M.tolist()))
         sign = mpmath.sign(mpmath.det(U * Vt))
@@ -165,7 +165,7 @@ def test_nearest_rotation():
 
 @pytest.mark.parametrize("sequence", first(4, sorted(SEQUENCES)))
 def test_euler_rates_next_to_gimbal_lock(sequence):
-    """The exact rates solve R^T R' = skew(omega); rounding counts relative to |omega| / distance from lock."""
+    """The exact rates solve R^T R' = skew(omega); the error is relative to |omega| / distance from lock."""
     for middle in middle_angles(sequence):
         lock = math.sin(middle) if sequence[0] == sequence[2] else math.cos(middle)
         if abs(lock) > 1e-11:
@@ -176,7 +176,7 @@ def test_euler_rates_next_to_gimbal_lock(sequence):
 
 
 def exact_rates(sequence, angles, omega):
-    """Each angle turns the body about its axis as seen from the axes the later turns leave."""
+    """Return the rates that give omega; each angle turns the body about its axis, seen after the later turns."""
     later = IDENTITY
     columns = []
     for digit, angle in zip(reversed(sequence), reversed(angles), strict=True):

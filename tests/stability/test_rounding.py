@@ -1,4 +1,4 @@
-"""What is nothing but the rounding of larger components costs no steps; what is small and physics keeps its scale."""
+"""Components that are only rounding of larger ones cost no steps; small components with physics keep their scale."""
 
 import math
 
@@ -33,7 +33,7 @@ def braking(locked):
 
 
 def balanced(t, y):
-    """Two bodies on a spring, and their centre: its acceleration is nothing but rounding."""
+    """Return the rates of two bodies on a spring and of their centre, whose acceleration is only rounding."""
     pull = y[1] - y[0]
     return y[2], y[3], pull, -pull, y[5], (y[0] + 0.1) - 0.1 - y[0]
 
@@ -60,11 +60,11 @@ CHAINS = {name: (PROBLEMS[name][0], np.array(PROBLEMS[name][1]), 20.0) for name 
 
 
 class TooMany(Exception):
-    """A run was given up."""
+    """The rates are called too often."""
 
 
 def counted(rates, allowed=math.inf):
-    """`rates`, called at every stage because of the branch, and a list of as many items as calls."""
+    """Return `rates` with a branch, so that they are called at every stage, and a list with an item for each call."""
     calls = []
 
     def counting(t, y):
@@ -84,19 +84,19 @@ def by_scipy(rates, start, end, rtol):
 @pytest.mark.parametrize("name", [*ROUNDED, *CHAINS])
 @pytest.mark.parametrize("rtol", first(1, [1e-9, 1e-6, 1e-12]))
 def test_what_is_only_rounding_or_far_away_costs_no_steps(name, rtol):
-    """Four times what SciPy takes, and 600: it judges all by the largest component, `solve` each by its own."""
+    """`solve`, which scales each error by its component, needs at most 600 calls and 4 times those of SciPy."""
     rates, start, end = {**ROUNDED, **CHAINS}[name]
     _, evaluations = by_scipy(rates, start, end, rtol)
     exact, _ = by_scipy(rates, start, end, 3e-14)  # at rtol itself SciPy is off by ten rtol on some processors
     result = solve(counted(rates, 4 * evaluations + 600)[0], [0, end], start, rtol=rtol, method="python")[-1]
-    traced = solve(rates, [0, end], start, rtol=rtol, method="python", report=True).report  # if it can be
+    traced = solve(rates, [0, end], start, rtol=rtol, method="python", report=True).report  # traced if possible
     assert traced.evaluations <= 4 * evaluations + 600
-    if name != "a car with locked rear wheels":  # there rounding grows until it is seen
+    if name != "a car with locked rear wheels":  # there rounding grows until it is visible
         assert np.abs(result - exact).max() < 300 * rtol * np.abs(exact).max() + 1e-13
 
 
 def test_heat_that_meets_heat_is_solved():
-    """What comes late along one chain, and is larger, is no sign that sizes turn over."""
+    """A small start in the middle of a chain, overtaken by larger heat from the end, keeps its accuracy."""
     rates, start, end = CHAINS["DETEST C4"]
     start = np.where(np.arange(51) == 25, 2e-11, start)
     by_steps, by_series = (
@@ -107,7 +107,7 @@ def test_heat_that_meets_heat_is_solved():
 
 @pytest.mark.parametrize("rate", [0.0, 1e-9])
 def test_a_disk_upright_to_the_last_digits_rolls_on(rate):
-    """Its tilt is pi/2 rounded: what that does to other rates, one after another, is not to be resolved."""
+    """The tilt is pi/2 rounded; the steps need not resolve what this rounding does to the other rates."""
 
     def rolled(tilt_rate):
         rates, calls = counted(by_angles)
@@ -115,9 +115,9 @@ def test_a_disk_upright_to_the_last_digits_rolls_on(rate):
         return end, len(calls)
 
     (end, cost), (wobble, ordinary) = rolled(rate), rolled(1e-3)
-    assert cost < 2 * ordinary  # sixty times as many if each rounding is taken for motion
+    assert cost < 2 * ordinary  # sixty times as many if rounding counts as motion
     assert end[[0, 4, 7]] == pytest.approx([-40, 80, 8], rel=1e-10)  # straight on
-    if rate == 1e-9:  # small motions are proportional to their start, but for the rounding of the tilt
+    if rate == 1e-9:  # small motions are proportional to their start, except for the rounding of the tilt
         assert end[[2, 5]] * 1e6 == pytest.approx(wobble[[2, 5]], abs=1e-5 * abs(wobble[5]))
 
 
@@ -136,7 +136,7 @@ def test_no_unit_changes_a_step(unit):
 
 @pytest.mark.parametrize("small", [1e-6, 1e-12, 1e-20])
 def test_a_seed_that_nothing_large_drives_keeps_its_own_scale(small):
-    """A small population beside an oscillator that feeds it: it grows by exp(t - cos t + 1)."""
+    """A small population beside an oscillator that drives it grows as exp(t - cos t + 1)."""
 
     def rates(t, y):
         return y[1], -y[0], y[2] * (1 - y[1])
@@ -148,7 +148,7 @@ def test_a_seed_that_nothing_large_drives_keeps_its_own_scale(small):
 
 @pytest.mark.parametrize("size", [1e-3, 1e-9, 1e-12])
 def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
-    """A pendulum's angle from the top, on a cart that runs: small motions are proportional to their start."""
+    """A pendulum's small angle from the top grows beside the large position of a cart as it does without the cart."""
 
     def rates(t, y):
         return y[2], y[3], 0.0, math.sin(y[1])

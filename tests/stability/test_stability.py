@@ -18,7 +18,7 @@ G = 9.81  # m/s^2
 
 
 def pendulum_energy(state):
-    """Of length 1 m, from the lowest point; (1 - cos) without its cancellation."""
+    """Return the energy of a pendulum of 1 m and 1 kg above its lowest point, without the cancellation of 1 - cos."""
     return state[1] ** 2 / 2 + 2 * G * math.sin(state[0] / 2) ** 2
 
 
@@ -28,7 +28,7 @@ def oscillator(t, y, *, rate):
 
 @pytest.mark.parametrize("name", SCENES)
 def test_the_start_of_every_scene_is_left_by_small_steps(name):
-    """Two methods that share nothing but the right-hand side agree."""
+    """Two methods that share only the right-hand side agree."""
     rhs, start, parameters, end = scene(name)
     t = np.linspace(0, min(end, 2.0), 5)
     explicit = solve(rhs, t, start, parameters=parameters, rtol=1e-13, method="python")
@@ -42,14 +42,14 @@ def test_a_change_of_units_changes_no_bit(unit):
     t, run = np.linspace(0, 10, 21), partial(solve, oscillator, method="python")
     states = run(t, [1.0, 0.25], parameters={"rate": 2.5})
     assert (run(t, [unit, 0.25 * unit], parameters={"rate": 2.5}) == unit * states).all()
-    if abs(math.log2(unit)) < 50:  # of the second
+    if abs(math.log2(unit)) < 50:  # also for the unit of time
         others = run(t * unit, [1.0, 0.25 / unit], parameters={"rate": 2.5 / unit})
         assert (others * [1, unit] == states).all()
 
 
 @pytest.mark.parametrize("amplitude", [0.3, 0.7, 1.0, 1.3])
 def test_rounding_makes_no_energy_drift(amplitude):
-    """A random walk of half a million steps comes to 1e-13; a third that is rounded the same way each time to 3e-12."""
+    """A random walk of half a million steps reaches 1e-13; a 1/3 that is rounded the same way in each, 3e-12."""
     turns = [0.0, 2e5 * math.pi]
     _, (x, v) = solve(oscillator, turns, [amplitude, 0.0], parameters={"rate": 1.0}, rtol=1e-15, method="compiled")
     assert x * x + v * v == pytest.approx(amplitude**2, rel=4e-13, abs=0)
@@ -58,7 +58,7 @@ def test_rounding_makes_no_energy_drift(amplitude):
 @pytest.mark.slow
 @pytest.mark.parametrize("method", ["gauss", "composition"])
 def test_energy_over_ten_thousand_periods(method):
-    """Accumulated rounding, the mean over twelve motions: one random walk alone has no exponent to speak of."""
+    """The exponent is that of the mean error of twelve motions, because a single random walk has no clear exponent."""
     errors, share = [], np.geomspace(0.01, 1, 60)
     for amplitude in np.linspace(0.5, 3.0, 12):
         period = 4 / math.sqrt(G) * ellipk(math.sin(amplitude / 2) ** 2)
@@ -71,12 +71,12 @@ def test_energy_over_ten_thousand_periods(method):
 
 
 def chain(masses):
-    """Masses of 1 kg between springs of 1 N/m, the ends fixed."""
+    """Return the rates of masses of 1 kg between springs of 1 N/m with fixed ends."""
     return lambda t, y: [*y[masses:], *heat(t, y[:masses])]
 
 
 def by_scipy(rates, t, start, **options):
-    """SciPy's DOP853, at its best tolerance if no other is given."""
+    """Return the states of SciPy's DOP853 at its best tolerance, unless options say otherwise."""
     options = {"method": "DOP853", "rtol": 3e-14, "atol": 1e-16, **options}
     result = solve_ivp(rates, (t[0], t[-1]), start, t_eval=t, **options)
     assert result.success
@@ -84,7 +84,7 @@ def by_scipy(rates, t, start, **options):
 
 
 def fermi_pasta_ulam(t, y):
-    """16 masses, springs with a quadratic and a cubic part: what the linear part does not reach must not be missed."""
+    """Return the rates of 16 masses between springs with a linear, a quadratic and a cubic term."""
     x = [0.0, *y[:16], 0.0]
     stretch = [b - a for a, b in zip(x, x[1:], strict=False)]
     pull = [d + 0.25 * d * d + d * d * d for d in stretch]
@@ -97,7 +97,7 @@ def heat(t, y):
 
 
 def cascade(t, y):
-    """Each drives the next by its square: at the start no rate changes with any state but the first."""
+    """Return rates in which each component drives the next by its square; at first only the first one has an effect."""
     return [-y[0], *(a * a - b for a, b in zip(y, y[1:], strict=False))]
 
 
@@ -122,7 +122,7 @@ def test_what_reaches_the_others_only_later(rates, start, end, rtol):
 
 
 def test_an_ensemble_under_a_force_that_sets_in_late():
-    """The square root is zero until t = 3."""
+    """Each member agrees with its single run; the force, a square root, is zero until t = 3."""
 
     def rates(t, y):
         return y[1], np.sqrt(np.abs(t - 3) + (t - 3)) - y[0]
@@ -166,7 +166,7 @@ def test_what_ends_in_time_is_right(method):
 
 @pytest.mark.parametrize("rtol", first(1, [1e-3, 1e-10]))
 def test_a_long_oscillation_is_not_called_stiff(rtol):
-    """A fast one in the imaginary direction, damped a little: a million steps are left, and nobody is sent away."""
+    """A fast, slightly damped oscillation with a million steps to go raises no error about stiffness."""
     seen = []
 
     def rates(t, y):
@@ -181,7 +181,7 @@ def test_a_long_oscillation_is_not_called_stiff(rtol):
 
 @pytest.mark.parametrize(("decay", "end"), first(1, [(5e4, 30.0), (3e5, 3.0)]))
 def test_a_stiff_phase_that_passes_is_stepped_through_and_right_from_the_start(decay, end):
-    """Fast in the beginning only: the first step looks thousands of times too far, and must leave no scale behind."""
+    """The decay is fast only at first; the first trial step is thousands of times too long and must not set a scale."""
 
     def rates(t, y):
         return (-(decay if t < 0.1 else 1.0) * (y[0] - np.cos(t)) - np.sin(t),)

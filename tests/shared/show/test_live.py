@@ -1,4 +1,4 @@
-"""Live scenes: the equations in the page beside `solve`, dragged by a mouse, with other parameters."""
+"""Live scenes: the page integrates as `solve` does, follows the mouse, and has sliders for parameters."""
 
 import numpy as np
 import pytest
@@ -12,14 +12,14 @@ from tam570.show.live import program
 from tam570.show.page import page
 
 HOMEWORK = [slug for slug in assignments() if slug[:4] in {f"hw{n:02}" for n in (1, 4, 5, 6, 7, 10, 12, 13, 14)}]
-LECTURES = [name for name in names() if hasattr(load(name), "START") and name != "rocket"]  # which asks for its mass
+LECTURES = [name for name in names() if hasattr(load(name), "START") and name != "rocket"]  # it branches on its mass
 SECONDS = 1.0
 SIZES = [[1280, 720], [390, 844]]
 
 
 @pytest.fixture
 def tab(open_page):
-    """`tab(scene, size)` -> its page."""
+    """`tab(scene, size)` -> the tab with the page of the scene."""
     return lambda scene, size=SIZES[0]: open_page(page(scene), size)
 
 
@@ -27,7 +27,7 @@ def tab(open_page):
 def test_the_page_moves_as_solve_does(tab, scenes, name):
     scene = scenes(name)
     opened, live = tab(scene), scene.live
-    piece = SECONDS / 60  # as the page does it: a call takes so many steps at most
+    piece = SECONDS / 60  # s per call, as in the page, because a call takes a limited number of steps
     ends = f"i * {piece}, (i + 1) * {piece}"
     result = opened.evaluate(f"[...Array(60).keys()].reduce((s, i) => integrate(s, live.p, {ends}), grasped.start)")
     expected = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
@@ -41,7 +41,7 @@ def test_the_page_moves_as_solve_does(tab, scenes, name):
 
 @pytest.mark.parametrize("name", [*HOMEWORK, *LECTURES])
 def test_what_a_hand_holds_is_where_the_hand_is(scenes, name):
-    """By the functions themselves: grab the place where it is already, and it stays there."""
+    """A handle that is grabbed at its own place stays there, by the Python functions of the scene."""
     live = scenes(name).live
     state = np.array(live.start)
     for handle in live.handles:
@@ -52,7 +52,7 @@ def test_what_a_hand_holds_is_where_the_hand_is(scenes, name):
 
 
 def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(tab, scenes):
-    """Of a motion that takes more steps than one call of the page's integrator."""
+    """This holds for a motion that needs more steps than one call of the page's integrator takes."""
     scene = scenes("hw14_rolling_disk")
     opened, live = tab(scene), scene.live
     opened.evaluate("goTo(duration)")

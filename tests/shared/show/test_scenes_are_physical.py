@@ -1,4 +1,4 @@
-"""Laws over all scenes: nothing jumps, no body is where another is, the page is small, forces act where they should."""
+"""Laws of all scenes: nothing jumps, bodies do not overlap, pages are small, and forces act at the right points."""
 
 import re
 from itertools import combinations
@@ -14,15 +14,15 @@ from tam570.show.diagrams import NAME, force_shapes
 from tam570.show.page import page
 from tam570.show.student import StudentModule
 
-STEP, QUICKER = 0.02, 4.0  # of its panel's size, and of the steps before and after it: a jump is larger than both
-JUMPS = {  # what the physics has, by scene and shape
+STEP, QUICKER = 0.02, 4.0  # a jump is longer than STEP panel sizes and QUICKER times the steps before and after it
+JUMPS = {  # (scene, form of a shape): why it jumps in the physics
     ("planet", "fill"): "the area since the last impulse begins anew",
     ("rocket", "lines"): "the flame goes out",
     ("chains", "arrow"): "the whole chain lies on the scale",
     ("stopping_car", "arrow"): "friction and its moment end with the motion",
     ("hw06_braking", "arrow"): "friction ends with the motion",
 }
-DEPTH = 1e-3  # of a panel's size, of a touch: half a pixel
+DEPTH = 1e-3  # depth of a touch, as a fraction of the panel's size: half a pixel
 LARGEST = 250_000  # bytes of a page
 
 
@@ -46,7 +46,7 @@ def size(panel):
 
 
 def jumps(shape, largest):
-    """The frames at which a point of a moving shape goes much farther than just before and after."""
+    """Return [frame, point] wherever a point of a moving shape goes much farther than just before and after."""
     if shape.points.ndim == 2:
         return []
     steps = np.linalg.norm(np.diff(shape.points, axis=0), axis=2)
@@ -73,7 +73,7 @@ def test_no_body_is_where_another_is(scene):
 
 
 def overlap(body, other):
-    """How deep a convex polygon is in another, by the axis along which they are farthest apart."""
+    """Return the depth to which two convex polygons overlap: the least overlap along the normals of their sides."""
     deepest = np.inf
     for polygon in (body, other):
         sides = np.roll(polygon, -1, axis=0) - polygon
@@ -109,14 +109,14 @@ def test_a_force_that_is_left_out_for_a_while_has_no_length_then():
 
 
 def test_a_diagram_in_axes_of_its_own_is_moved_and_turned():
-    axes = np.array([[0.6, -0.8], [0.8, 0.6]])  # down a ramp, off it
+    axes = np.array([[0.6, -0.8], [0.8, 0.6]])  # unit vectors down a ramp and off it
     (pull,) = shapes(lambda x: [((0, -1), (2, 0))], origin=[(k, 0.0) for k in range(3)], axes=axes)
     np.testing.assert_allclose(pull.points[2], [(2 - 0.8, -0.6), (2 - 0.8 + 0.3, -0.6 - 0.4)])
 
 
 @pytest.mark.parametrize("slug", first(3, DRAWN))
 def test_every_scene_draws_the_diagram(scenes, slug):
-    """The weight is vertical, and acts on what moves."""
+    """Each scene shows the forces, and the weight points straight down."""
     scene = scenes(slug)
     forces = [shape for shape in scene.panels[0].shapes if shape.form == "arrow" and shape.name.startswith("forces o")]
     assert not scene.notes and forces

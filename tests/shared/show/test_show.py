@@ -1,4 +1,4 @@
-"""The scenes, by the reference solutions and by files that are wrong, half done, or hostile."""
+"""Scenes of the reference solutions, and of files that are wrong, unfinished, or hostile."""
 
 import importlib
 import json
@@ -45,12 +45,12 @@ def edited(tmp_path, solution_text):
 
 
 def data(document):
-    """What the player of a page reads."""
+    """Return the data that the player of a page reads."""
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', document, re.S)[1])
 
 
 def unpacked(document):
-    """Points of each part of a packed film at every sample, in pixels, as the player finds them: (n, m, dim) each."""
+    """Return the points of each shape of a packed film at every sample, (n, m, dim), px, as the player does."""
     keys = np.cumsum(document["keys"])
     samples = np.arange(keys[-1] + 1)
     moving = document["tracks"]
@@ -70,7 +70,7 @@ def unpacked(document):
 
 
 def in_pixels(scene):
-    """The points of each part about the middle of its panel, in pixels of a large screen."""
+    """Yield the points of each shape relative to the middle of its panel, in pixels of a large screen."""
     for panel in scene.panels:
         rows = np.concatenate([shape.points.reshape(-1, shape.points.shape[-1]) for shape in panel.shapes])
         low, high = rows.min(axis=0), rows.max(axis=0)
@@ -101,7 +101,7 @@ def test_of_a_stub_the_command_says_what_is_not_written(course, slug, tmp_path, 
     assert "is not written yet" in capsys.readouterr().err and not (tmp_path / "a.html").exists()
 
 
-TROUBLES = {  # and the words that tell them apart
+TROUBLES = {  # code below the solution: pattern of the message
     "simulate = lambda t, *_, **__: np.full((len(t), 4), np.nan)": "NaN or infinity, first in row 0",
     "def simulate(t, *_, **__):\n    a = np.ones((len(t), 4))\n    a[37:] = np.inf\n    return a": "row 37",
     "simulate = lambda t, *_, **__: np.zeros((4, len(t)))": r"\(4, 1201\), not .*\(1201, 4\)",
@@ -140,7 +140,7 @@ def test_wrong_physics_looks_wrong(edited):
 
 @pytest.mark.slow
 def test_no_wrong_file_breaks_a_page(edited, slug, capsys):
-    """Each is shown, in numbers that JSON has, or it is said why not."""
+    """Each wrong file is shown, with numbers that JSON can represent, or a message says why not."""
     texts = overlays(CHECKS / slug)
     assert len(texts) > 5
     for name, text in texts.items():
@@ -180,7 +180,7 @@ def test_a_notebook_shows_the_page_in_a_frame_that_cannot_reach_out(course):
 
 @pytest.fixture
 def short(course):
-    """A fifth of a second of the double pendulum."""
+    """Return a scene of 0.2 s of the double pendulum."""
     return show(course / "solutions" / f"{HW07}.py", numbers={"seconds": 0.2}).scene
 
 
@@ -226,7 +226,7 @@ def test_a_video_is_written_and_without_ffmpeg_refused_with_another_way(short, t
 
 @pytest.mark.parametrize("screen", [True, False])
 def test_show_opens_the_page_in_a_browser_where_there_is_a_screen(course, here, monkeypatch, capsys, screen):
-    """It stays in the folder."""
+    """With or without a screen, the page is written into the folder."""
     opened = []
     monkeypatch.setattr("webbrowser.open", lambda address: opened.append(address) or True)
     for name in ("BROWSER", "DISPLAY", "WAYLAND_DISPLAY"):
@@ -256,5 +256,5 @@ def test_what_moves_too_fast_or_for_too_long_is_refused():
     assert "188 rad/s" in show(bodies, numbers={"newton": 1e6}).trouble
     assert "start.phi_rate" in show(load("top"), numbers={"start.phi_rate": 1e6}).trouble
     with pytest.raises(ValueError, match="the motion takes longer"), patience("the motion", 0.0):
-        while True:  # until the clock has been looked at twice
+        while True:  # until `patience` has read the clock twice
             time.sleep(0.01)

@@ -26,7 +26,7 @@ def opened(open_page, scenes):
 
 
 def until(tab, condition):
-    """Wait for it; the page's own policy forbids the driver's way of waiting."""
+    """Wait until a condition is true; the page's security policy forbids the driver's way of waiting."""
     for _ in range(6000):
         if tab.evaluate(condition):
             return
@@ -35,7 +35,7 @@ def until(tab, condition):
 
 
 def ink(tab, canvas):
-    """How many pixels of a canvas are drawn on."""
+    """Return the number of pixels of a canvas that are not transparent."""
     return tab.evaluate(
         """id => { const canvas = document.getElementById(id), copy = new OffscreenCanvas(canvas.width, canvas.height);
                    copy.getContext("2d").drawImage(canvas, 0, 0);
@@ -149,7 +149,7 @@ def test_in_a_notebook_it_plays_in_its_frame(opened, scenes):
 
 
 def grown(size):
-    """A point that goes as far as it is told, in as many seconds."""
+    """Return a scene of a point that moves `size` m in `size` s."""
     times = frame_times(size)
     path = np.column_stack([size * times / times[-1], 0 * times])
     shapes = [Shape("dot", path[:, None], name=f"to {size:g}"), Shape("dot", np.zeros((1, 2)))]
@@ -159,7 +159,7 @@ def grown(size):
 
 @pytest.fixture
 def film(open_page):
-    """The page of the film at 2, with a slider to 1 and 4."""
+    """Return the tab of the film of 2 m, with a slider to 1 m and 4 m."""
     return open_page(page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0)), (390, 844))
 
 
