@@ -1,4 +1,4 @@
-"""Hidden inputs of hw01: random pendulums, and plain ones that tell what random ones do not."""
+"""Hidden inputs of hw01: random pendulums, and plain ones for mistakes that random ones do not show."""
 
 import math
 
@@ -11,7 +11,7 @@ from . import reference
 ANY = "a random pendulum"
 WEAK = 0.05  # gravity, m/s^2
 SYMBOLS = ("theta", "omega", "m", "l", "g")
-PLAIN = {0.0: "at the bottom", -math.pi / 2: "level with the hinge", math.pi: "at the top"}  # angle: what to call it
+PLAIN = {0.0: "at the bottom", -math.pi / 2: "level with the hinge", math.pi: "at the top"}  # {angle: its label}
 
 
 def rod(rng, gravity=None):
@@ -23,7 +23,7 @@ def parameters(rng, gravity=None):
 
 
 def rate_of(rod):
-    """Of small motions."""
+    """Return the rate of small motions, rad/s."""
     return math.sqrt(rod["gravity"] / rod["length"])
 
 
@@ -38,7 +38,7 @@ def label(cases):
 
 
 def states(rng):
-    """Random states with gravity, little of it and none; named angles with a speed either way; whole numbers."""
+    """Return random states with gravity, weak gravity and none; named angles with a speed of either sign; integers."""
     cases = [
         Case(rng.uniform(-9, 9), rng.uniform(1, 6) * rng.choice([-1, 1]), **parameters(rng, gravity))
         for gravity in (None, None, None, WEAK, 0.0)
@@ -49,14 +49,14 @@ def states(rng):
 
 
 def at_rest(rng):
-    """At rest anywhere and at the angles that have a name; with gravity and without."""
+    """Return rest at random and at named angles; with gravity and without."""
     angles = rng.uniform(0.3, 2.8), rng.uniform(-2.8, -0.3), *PLAIN
     cases = [Case(angle, 0.0, **parameters(rng)) for angle in angles]
     return label([*cases, Case(rng.uniform(-2.8, 2.8), 0.0, **parameters(rng, gravity=0.0))])
 
 
 def symbols(rng):
-    """Some such values for symbols; each takes as long as ten calls with numbers."""
+    """Return some of these values for symbols; each takes as long as ten calls with numbers."""
     return in_symbols(states(rng)[::2] + at_rest(rng)[::2], *SYMBOLS)
 
 
@@ -64,21 +64,21 @@ def symbols(rng):
 
 
 def swing(rng, gravity=None):
-    """A start that swings back and forth far from small angles, and its pendulum."""
+    """Return a start that swings back and forth far from small angles, and its pendulum."""
     pendulum, sign = rod(rng, gravity), rng.choice([-1, 1], 2)
     return (rng.uniform(1.2, 2.2) * sign[0], rng.uniform(0.2, 0.6) * rate_of(pendulum) * sign[1]), pendulum
 
 
 def turning(rng):
-    """A short rod that goes over the top, from an angle a little beyond a full turn: g/l is not near g l there."""
+    """Return a start a little beyond a full turn, and a short rod that goes over the top: g/l is not near g l."""
     pendulum, sign = {**rod(rng), "length": rng.uniform(0.25, 0.6)}, rng.choice([-1, 1])
     return (-sign * rng.uniform(6.5, 7.3), sign * rng.uniform(2.3, 3) * rate_of(pendulum)), pendulum
 
 
 def quick(rng):
-    """A small swing of a rod of millimetres, at 35 to 45 rad/s: steps of a millisecond follow it, those of ten do not.
+    """Return a small swing of a rod of millimetres, at 35 to 45 rad/s: steps of 1 ms can follow it, of 10 ms cannot.
 
-    In a period the linear motion falls behind by 6 A^3/16, 6e-4 rad and more.
+    In a period the linear motion lags by 6 A^3/16, which is 6e-4 rad or more.
     """
     rate, sign = rng.uniform(35, 45), rng.choice([-1, 1], 2)
     length = rng.uniform(6e-3, 9e-3)
@@ -86,7 +86,7 @@ def quick(rng):
 
 
 def motion(rng, start, turns, count, label):
-    """A motion for `turns` over the rate of small motions."""
+    """Return a motion that lasts `turns` divided by the rate of small motions."""
     state, pendulum = start(rng)
     return Case(uneven(rng, turns / rate_of(pendulum), count), *state, **pendulum).labelled(label)
 
@@ -100,29 +100,29 @@ many_periods = motions(swing, 40, 40, "many periods")
 
 
 def few_times(rng):
-    """A small swing of a few times, and large ones, of which nothing may depend on the times or on other calls."""
+    """Return a small swing at a few times, and large ones that must not depend on the times or on earlier calls."""
     first = motion(rng, quick, 6, 4, "a small swing, few times, a rod of few millimetres")
     level = math.copysign(math.pi / 2, first.args[1]), 0.0  # let go level with the hinge
     return [first, *repeated_calls(rng, first, start=level)]
 
 
 def over_the_top(rng):
-    """Turning round and round either way, from next to the bottom and, late and some turns on, from far above it."""
+    """Return full turns in either sense: from near the bottom and, later and some turns further, from far above it."""
     turns = motion(rng, turning, 9, 40, "a pendulum that goes over the top")
     t, angle, rate = turns.args
-    above = -1.2 * angle - math.copysign(6 * math.pi, angle)  # its square is above 4 g/l
+    above = -1.2 * angle - math.copysign(6 * math.pi, angle)  # its square exceeds 4 g/l
     return [turns, turns.replace(t[:20] + 3 * (t[-1] - t[0]), above, -rate)]
 
 
 def weightless(rng):
-    """Turning evenly from the bottom, and at rest anywhere, without gravity, all before t = 0."""
+    """Return a uniform rotation from the bottom, and rest at any angle, without gravity and before t = 0."""
     t, rate = uneven(rng, 8.0, 30, -rng.uniform(9.0, 12.0)), rng.uniform(-0.4, -0.3)
     turns = Case(t, 0.0, rate, **rod(rng, gravity=0.0)).labelled("gravity 0, from the bottom")
     return [turns, turns.replace(t[:2], rng.uniform(0.5, 1), 0.0).labelled("gravity 0, at rest")]
 
 
 def small_angles(rng):
-    """The closed form for any times and starts, and for another rod."""
+    """Return arguments of the closed form with any times and starts, and with another rod or gravity."""
     (angle, rate), pendulum = swing(rng)
     t = uneven(rng, 20 / rate_of(pendulum), 50, -7 / rate_of(pendulum))
     starts = {
@@ -143,12 +143,12 @@ def small_angles(rng):
 
 
 def wave(s, start, end, height):
-    """A path that is no motion of a pendulum, over 0 <= s <= 1."""
+    """Return a path over 0 <= s <= 1 that is no motion of a pendulum."""
     return start + (end - start) * s + height * np.sin(2 * np.pi * s)
 
 
 def varied_paths(rng, amount):
-    """Pairs of calls, a path varied to both sides by smooth functions that vanish at both ends; the right variation."""
+    """Return pairs of calls, a path varied to both sides by a smooth function with zero ends, and the variation."""
     cases = []
     s = np.linspace(0, 1, 2001)
     changes = [np.sin(np.pi * s), np.sin(2 * np.pi * s) * np.exp(-s), s * (1 - s) * (2 + np.cos(5 * s))]
@@ -167,7 +167,7 @@ def varied_paths(rng, amount):
 
 
 def paths(rng):
-    """Paths between different heights, with gravity and without."""
+    """Return paths between different heights, with gravity and without."""
     s, cases = np.linspace(0, 1, 4001), []
     for share, label in ((1, "a smooth path"), (0, "a smooth path without gravity")):
         pendulum = parameters(rng)
@@ -179,12 +179,12 @@ def paths(rng):
 
 
 def plain_paths(rng):
-    """At rest anywhere, at the bottom and at the top; turning evenly without gravity; two samples and more."""
+    """Return rest at any angle, the bottom and the top; uniform rotation without gravity; two samples and more."""
     cases = []
     for theta in (rng.uniform(0.3, 2.8), 0.0, math.pi):
         samples, step = 2 * int(rng.integers(200, 300)), 10 ** rng.uniform(-3, -1)
         cases.append(Case(np.full(samples, theta), step, **parameters(rng)).labelled(describe(theta, 0.0, 1.0)))
-    # chords for arcs are second order too: off by (omega step)^2/12, a tenth of the limit
+    # chords in place of arcs are of second order, too; their error (omega step)^2/12 is a tenth of the tolerance
     pendulum, omega, step = parameters(rng, gravity=0.0), rng.uniform(-3, -1), 1e-3
     for samples, few in ((5000, ""), (2, ", two samples"), (3, ", three samples")):
         label = f"a pendulum that turns evenly, without gravity{few}"
@@ -193,7 +193,7 @@ def plain_paths(rng):
 
 
 def periods(label, *edges, below=None):
-    """An amplitude between each of these edges and the next, or so far below an angle; of a rod of 1 m at last."""
+    """Return a function for amplitudes between successive edges, or so far below an angle; the last rod is 1 m long."""
 
     def drawn(rng):
         rods = [*(rod(rng) for _ in edges[2:]), {"length": 1.0, "gravity": 1.0}]
@@ -204,13 +204,13 @@ def periods(label, *edges, below=None):
     return drawn
 
 
-# 1 and pi/2 themselves, too
+# with amplitudes of exactly 1 and pi/2
 usual_periods = periods("between 0.5 and 2 rad", 0.5, 0.9, 1, 1, 1.4, *[math.pi / 2] * 2, 2)
-# below .0099 the period of small angles, 1 - A^2/16 of the right one, is still off by 3e-6
+# the period of small angles, shorter by A^2/16, has an error of 3e-6 or more in this range
 least_periods = periods("between 0.007 and 0.01 rad", 0.007, 0.0099)
 small_periods = periods("between 0.01 and 0.1 rad", 0.01, 0.03, 0.1)
-# No gap wider than these: a formula for some range is tried in it. The series' second term is off by 6e-6 from 0.2 rad
-# on, its third by 1e-6 from 0.41.
+# There are no wider gaps, because a formula for a range of amplitudes is tried in each. The second term of the series
+# has an error of 6e-6 from 0.2 rad on, the third of 1e-6 from 0.41.
 smaller_periods = periods("between 0.1 and 0.5 rad", 0.1, 0.2, 0.3, 0.45, 0.5)
 larger_periods = periods("between 2 and 3 rad", 2, 2.2, 2.4, 2.6, 2.8, 3.04)
 next_to_top = periods("next to pi", 0.001, 0.003, 0.01, 0.03, 0.1, below=math.pi)

@@ -12,25 +12,25 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 
 from . import cases, reference
 
-FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
-TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 8e-8 at most, RK45 and DOP853 by less
+FORMULA = 1e-8  # a few rounding errors make 1e-15, a derivative by central differences 1e-10
+TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 has an error of 8e-8 at most, RK45 and DOP853 less
 ENERGY = 1e-5  # the same solvers lose 5e-8 of it in six periods
-COARSELY = 0.1  # rad after six periods; rows from anywhere on the motion are off by one or two
-PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
-NEXT_TO_TOP = 1e-5  # there the same simulation magnifies its errors tenfold
-# at 1e-5 rad, and that far from the top, the same simulation is good to 7e-5; a difference of cosines has no digit left
+COARSELY = 0.1  # rad after six periods; other rows of the motion have an error of one or two
+PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, has an error of 1e-8
+NEXT_TO_TOP = 1e-5  # the errors of the same simulation are ten times as large there
+# At 1e-5 rad, and as far from the top, the same simulation has an error of 7e-5; a difference of cosines has no digit.
 AT_THE_ENDS = 1e-3
-LOSSES = {1e-4: 0.6, 1e-2: 0.3}  # of the energy
-SMALL = 1e-3  # of a variation; its square is below VARIATION
-VARIATION = 1e-4  # (2 pi 1.5/2000)^2/3 = 7e-6 by any quadrature of second order
-ACTION = 1e-5  # (4/4000)^2/3 = 3e-7 by any quadrature of second order; one of first order is off by 2e-4
+LOSSES = {1e-4: 0.6, 1e-2: 0.3}  # {relative loss of energy: share of the points}
+SMALL = 1e-3  # size of a variation; its square is below VARIATION
+VARIATION = 1e-4  # a quadrature of second order has an error of (2 pi 1.5/2000)^2/3 = 7e-6
+ACTION = 1e-5  # a quadrature of second order has an error of (4/4000)^2/3 = 3e-7, one of first order 2e-4
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def power_of_rate(n, mass, length):
-    """The scale m^mass l^length (omega + sqrt(g/l))^n of a case, or of values for symbols."""
+    """Return the scale m^mass l^length (omega + sqrt(g/l))^n as a function of a case, or of values for symbols."""
 
     def scale(case, _=None):
         parameters = {**dict(zip(cases.SYMBOLS, case.args, strict=False)), **case.kwargs}
@@ -46,12 +46,12 @@ MOMENTUM, MOMENT, POWER = power_of_rate(1, 1, 2), power_of_rate(2, 1, 2), power_
 
 
 def size_of_action(case, _):
-    """The integral of T + V, whose sign of V is that of an inverted gravity."""
+    """Return the integral of T + V, which is the action with inverted gravity."""
     return abs(reference.action(*case.args, **{**case.kwargs, "gravity": -case.kwargs["gravity"]}))
 
 
 def fastest(case, _):
-    """The angular velocity at the start, or that of small motions."""
+    """Return the larger of the initial angular velocity and the rate of small motions."""
     return max(abs(case.args[2]), math.sqrt(case.kwargs["gravity"] / case.kwargs["length"]))
 
 
@@ -178,7 +178,7 @@ def action_is_the_integral(student, rng):
 
 
 def of_harmonic(case, result, expected):
-    """What of a closed form is right."""
+    """Return which part of a closed form is right."""
     theta, omega = np.abs(result - expected).max(axis=0) <= TRAJECTORY * np.array([1.0, fastest(case, expected)])
     if theta or omega:
         return "theta is right: differentiate it." if theta else "omega is right, theta is not: is it its integral?"

@@ -1,40 +1,40 @@
-"""Right functions of hw01 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw01 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
 
 def linear_momentum_balance(theta, omega, *, mass, length, gravity):
-    """The tension by the velocity."""
+    """Compute the tension from the velocity."""
     tension = mass * _speed(omega, length) ** 2 / length + mass * gravity * np.cos(theta)
     return -gravity / length * np.sin(theta), tension
 
 
 def angular_momentum_balance(theta, omega, *, mass, length, gravity):
-    """The moment of the momentum."""
+    """Compute the moment of the momentum."""
     moment = -mass * gravity * length * np.sin(theta)
     return moment / (mass * length**2), mass * length * _speed(omega, length), moment
 
 
 def energy_balance(theta, omega, *, mass, length, gravity):
-    """alpha by the other balances; the potential as one writes it."""
+    """Use alpha from the other balances, and the usual form of the potential."""
     potential = _potential(theta, mass, length, gravity)
     return -gravity / length * np.sin(theta), _kinetic(omega, mass, length), potential
 
 
 def power_balance(theta, omega, *, mass, length, gravity):
-    """The power by the velocity."""
+    """Compute the power from the velocity."""
     power = -mass * gravity * _speed(omega, length) * np.sin(theta)
     return -gravity / length * np.sin(theta), power
 
 
 def action(theta, step, *, mass, length, gravity):
-    """The integral of T - V, by the middles of the steps."""
+    """Integrate T - V with values at the middle of each step."""
     omega, middle = np.diff(theta) / step, (theta[:-1] + theta[1:]) / 2
     return step * np.sum(_kinetic(omega, mass, length) - _potential(middle, mass, length, gravity))
 
 
 def small_angle_solution(t, theta0, omega0, *, length, gravity):
-    """An amplitude and a phase."""
+    """Use an amplitude and a phase."""
     rate = np.sqrt(gravity / length)
     phase = rate * t - np.arctan2(omega0 / rate, theta0)
     amplitude = np.hypot(theta0, omega0 / rate)

@@ -8,7 +8,7 @@ from . import reference
 
 
 def figure(theta=0.65, length=1.0):
-    """The hinge is the origin."""
+    """Draw the pendulum, with its hinge at the origin."""
     r = reference.vectors(theta, 0.0, 1.0, length, 1.0)[0]
     bob = r.real, r.imag
     shown = Figure(

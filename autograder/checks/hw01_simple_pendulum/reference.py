@@ -1,4 +1,4 @@
-"""What is right in hw01, by another route than the solution's: vectors of the plane, an elliptic integral."""
+"""Reference functions of hw01, derived differently from the solution: vectors in the plane, an elliptic integral."""
 
 import cmath
 import math
@@ -9,12 +9,12 @@ from numpy.lib.stride_tricks import sliding_window_view
 from tam570.integrate import solve
 from tam570_grader.checks.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, Force, FreeBody, NotAForce, weight
 
-STEP = 0.25  # of a sum in the place of an integral, good to exp(-pi^2/STEP)
+STEP = 0.25  # step of a sum that replaces an integral; its error is exp(-pi^2/STEP)
 NODES, WEIGHTS = (np.polynomial.legendre.leggauss(4)[0] + 1) / 2, np.polynomial.legendre.leggauss(4)[1] / 2
 
 
 def vectors(theta, omega, mass, length, gravity):
-    """r, v, the weight, and a unit vector across the rod, as complex numbers x + iy."""
+    """Return r, v, the weight, and a unit vector across the rod, as complex numbers x + iy."""
     along = -1j * cmath.exp(1j * theta)
     return length * along, 1j * omega * length * along, -1j * mass * gravity, 1j * along
 
@@ -68,7 +68,7 @@ def lagrange_equation(theta, l, g):  # noqa: E741
 
 
 def action(theta, step, mass, length, gravity):
-    """By Gauss's quadrature of each step, on the polynomial through the six samples around it, or through all."""
+    """Use Gauss's quadrature for each step, on the polynomial through the six samples around it, or through all."""
     steps, size = np.arange(len(theta) - 1), min(6, len(theta))
     first = np.clip(steps - (size - 2) // 2, 0, len(theta) - size)
     powers = np.arange(size)
@@ -81,7 +81,7 @@ def action(theta, step, mass, length, gravity):
 
 
 def small_angle_solution(t, theta0, omega0, length, gravity):
-    """By a complex exponential, or at an even rate."""
+    """Use a complex exponential, or a constant rate without gravity."""
     k = math.sqrt(gravity / length)
     if k == 0:
         return np.column_stack([theta0 + omega0 * t, np.full(len(t), omega0)])
@@ -90,14 +90,14 @@ def small_angle_solution(t, theta0, omega0, length, gravity):
 
 
 def period(amplitude, length, gravity):
-    """By Legendre's complete integral of the first kind: over log(tan) of its angle a sum converges exponentially."""
+    """Compute Legendre's complete integral of the first kind by a sum over log(tan), which converges exponentially."""
     tangent, narrow = np.exp(STEP * np.arange(-200, 400)), math.cos(amplitude / 2)
     angles = tangent / (np.hypot(1, tangent) * np.hypot(1, narrow * tangent))
     return 4 * STEP * np.sum(angles) * math.sqrt(length / gravity)
 
 
 def simulate(t, theta0, omega0, length, gravity):
-    """(n, 2) states."""
+    """Return (n, 2) states."""
 
     def rates(_, state):
         return state[1], -gravity / length * math.sin(state[0])
@@ -106,13 +106,13 @@ def simulate(t, theta0, omega0, length, gravity):
 
 
 def energy_of_rows(rows, length, gravity):
-    """Of 1 kg m^2, zero at the lowest point, along a motion."""
+    """Return the energy along a motion for m l^2 = 1 kg m^2, zero at the lowest point."""
     theta, omega = rows.T
     return omega**2 / 2 + 2 * gravity / length * np.sin(theta / 2) ** 2
 
 
 def free_body_diagram(theta, omega, mass, length, gravity):
-    """Of the mass; m a is drawn whole, or as its parts across and along the rod."""
+    """Return the mass and its forces; m a is a wrong arrow, in full, and in parts across and along the rod."""
     r, v, pull, across = vectors(theta, omega, mass, length, gravity)
     tension = linear_momentum_balance(theta, omega, mass=mass, length=length, gravity=gravity)[1]
     strains = abs(tension) > NEGLIGIBLE * (abs(pull) + mass * abs(v) ** 2 / length)

@@ -1,4 +1,4 @@
-"""Hidden inputs of hw02: random launches, those of a name, and the limits of little and of great drag."""
+"""Hidden inputs of hw02: random launches, named ones, and the limits of little and of great drag."""
 
 import itertools
 import math
@@ -16,7 +16,7 @@ TO_ZERO = "What becomes of your formula as the drag goes to zero?"
 FAR_ON = "What is left of the equation when e^-s is nothing? e^s goes beyond all numbers."
 SLOW = "a speed below a tenth of the terminal speed"
 ONES = {"mass": 1.0, "drag": 1.0, "gravity": 1.0}
-LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # below which a series takes over: its error is largest just below
+LITTLE = 0.99 * 10.0 ** -np.arange(1, 7)  # if a series is used below a power of ten, its error is largest just below
 NO_DRAG, NO_GRAVITY = {"drag": 0.0}, {"gravity": 0.0}
 ZEROS = {"zero drag": NO_DRAG, "zero gravity": NO_GRAVITY, "zero drag and gravity": {**NO_DRAG, **NO_GRAVITY}}
 VELOCITIES = {
@@ -38,14 +38,14 @@ DIRECTIONS = {
 
 
 def parameters(rng, **fixed):
-    """A random mass, drag and gravity; the rate c/m is from .05 to 1.5."""
+    """Return a random mass, drag and gravity; the rate c/m is from .05 to 1.5."""
     mass = 10 ** rng.uniform(-0.7, 1)
     random = {"mass": mass, "drag": mass * 10 ** rng.uniform(-1.3, 0.2), "gravity": rng.uniform(1.5, 25)}
     return {**random, **fixed}
 
 
 def light(rng):
-    """A particle of some milligrams: the drag is tiny, but not beside the weight."""
+    """Return a particle of some milligrams, with a drag that is tiny, but not relative to the weight."""
     mass = 10 ** rng.uniform(-6, -5)
     return parameters(rng, mass=mass, drag=mass * rng.uniform(0.3, 1.5))
 
@@ -58,7 +58,7 @@ def launch(rng):
 
 
 def states(rng):
-    """Velocities in any direction, those that have a name, whole numbers, a light particle."""
+    """Return states with velocities in any direction, named ones, integers, and a light particle."""
     cases = [
         Case(rng.uniform(-5, 5), rng.normal(size=4) * 10 ** rng.uniform(0, 2), **parameters(rng)).labelled("any state")
         for _ in range(3)
@@ -72,7 +72,7 @@ def states(rng):
 
 
 def states_without(rng):
-    """At rest, too, and along each axis."""
+    """Return states without drag or gravity, also at rest and along each axis."""
     return [
         Case(0.0, rng.normal(size=4) * moving * 10, **parameters(rng, **zero)).labelled(label)
         for (label, zero), other in zip(ZEROS.items(), ([1, 1, 0, 0], [1, 1, 0, 1], [1, 1, 1, 0]), strict=True)
@@ -81,7 +81,7 @@ def states_without(rng):
 
 
 def without_time(rng):
-    """For the function of the state alone."""
+    """Return the arguments of a function of the state alone."""
     return [Case(*case.args[1:], **case.kwargs).labelled(case.label) for case in states(rng) + states_without(rng)]
 
 
@@ -89,7 +89,7 @@ def without_time(rng):
 
 
 def flight(rng, label, particle, start=0.0):
-    """A launch, and times from `start` on, for one to three times m/c."""
+    """Return a launch at `start`, with times from then on, for one to three times m/c."""
     fade = particle["drag"] / particle["mass"] or 0.3
     hint = SMALL_BESIDE if label == LIGHT else ""
     return Case(uneven(rng, rng.uniform(1, 3) / fade, 30, start), *launch(rng), **particle).labelled(label, hint)
@@ -106,7 +106,7 @@ def flights_from_zero(rng):
 
 
 def plain_flights(rng):
-    """Two times each: directions that have a name, a drop, whole numbers."""
+    """Yield launches with two times each: named directions, a drop, integers."""
     starts = [(label, launch(rng)[0], angle, parameters(rng)) for label, angle in DIRECTIONS.items()]
     starts += [("a particle dropped", 0.0, 1.0, parameters(rng)), ("whole numbers", 1.0, 1.0, ONES)]
     for label, *start, particle in starts:
@@ -115,13 +115,13 @@ def plain_flights(rng):
 
 
 def flights_without(rng):
-    """Without drag or gravity, of light particles, and like one before."""
+    """Return launches without gravity, of a light particle, and without drag, with changed calls."""
     weightless = flight(rng, "zero gravity", parameters(rng, **ZEROS["zero gravity"]))
     return [weightless, flight(rng, LIGHT, light(rng)), *alike_flights(rng, "zero drag")]
 
 
 def alike_flights(rng, label=ANY):
-    """Launches that are like the first of them."""
+    """Return a launch, and the same with other times, start or parameters."""
     first = flight(rng, label, parameters(rng, **ZEROS.get(label, {})))
     t, speed, angle = first.args
     first = first.replace(t[:3])
@@ -129,23 +129,22 @@ def alike_flights(rng, label=ANY):
 
 
 def late_flights(rng):
-    """Launched at t = 0, asked from another time on; a single time, and backwards."""
+    """Return launches at t = 0 with later times only; a single time, and times in descending order."""
     cases = [flight(rng, "times that do not begin at 0", parameters(rng), start) for start in (2.5, -0.5)]
     return cases + [cases[0].replace(cases[0].args[0][some]).labelled(label) for label, some in SOME_TIMES.items()]
 
 
 def flights_with_any_drag(rng):
-    """None, little, of light particles, and like one before at t = 0.
+    """Return launches at t = 0 with no, little and great drag, of a light particle, and with changed calls.
 
-    Great drag is that of times c t/m up to a thousand or two, where e^s is more than any number, and to where no small
-    steps lead.
+    Great drag means c t/m of one or two thousand, where e^s overflows, and of 1e9, which small steps cannot reach.
     """
     cases = []
     for drag in (0.0, *10.0 ** rng.uniform((-14, -9, -7, -5), (-11, -8, -6, -2))):
         t, words = uneven(rng, rng.uniform(1, 9), 20, 0.0), ("very little drag",) if drag else ("no drag", TO_ZERO)
         cases.append(Case(t, *launch(rng), **parameters(rng, drag=drag)).labelled(*words))
     particle = parameters(rng)
-    for span in (*LITTLE, rng.uniform(1000, 2000), 1e9):  # of c t/m
+    for span in (*LITTLE, rng.uniform(1000, 2000), 1e9):  # largest c t/m
         t = uneven(rng, span * particle["mass"] / particle["drag"], 20, 0.0)
         words = ("very little drag",) if span < 1 else ("great drag", FAR_ON)
         cases.append(Case(t, *launch(rng), **particle).labelled(*words))
@@ -156,7 +155,7 @@ def flights_with_any_drag(rng):
 
 
 def landings(rng):
-    """Random ones; straight up, at 45 degrees, nearly flat, each with drag and without; whole numbers."""
+    """Return random landings; straight up, at 45 degrees and nearly flat, each with drag and without; integers."""
     cases = [of_lift(rng, lift, ANY) for lift in 10.0 ** rng.uniform(-1.3, 1.3, 4)]
     angles = {"a launch straight up": math.pi / 2, "a launch at 45 degrees": math.pi / 4, "a nearly flat launch": 0.01}
     for label, angle in angles.items():
@@ -167,7 +166,7 @@ def landings(rng):
 
 
 def of_lift(rng, lift, label, angle=None, hint=""):
-    """A launch with this lift, b = c vy/(m g)."""
+    """Return a launch with this lift, b = c vy/(m g)."""
     (speed, usual), particle = launch(rng), parameters(rng)
     angle = angle or usual
     particle["drag"] = lift * particle["mass"] * particle["gravity"] / (speed * math.sin(angle))
@@ -175,27 +174,27 @@ def of_lift(rng, lift, label, angle=None, hint=""):
 
 
 def landings_of_little_drag(rng):
-    """No drag, and b below 1e-1, most often where Lambert's W is off by 1e-16/b^2."""
+    """Return launches with no drag, and with b below 1e-1, mostly where Lambert's W has an error of 1e-16/b^2."""
     lifts = [*10.0 ** rng.uniform((-16, -13.5), (-13.5, -8)), *LITTLE]
     lifts += [*10.0 ** ((np.arange(5) + rng.uniform(0, 1, 5)) * 0.6 - 8)]
     return [of_lift(rng, 0.0, "no drag"), *(of_lift(rng, lift, "very little drag") for lift in lifts)]
 
 
 def landings_of_great_drag(rng):
-    """b from ten to a million; from 709 on, e^s is more than any number. Light particles; launches like one before."""
+    """Return b from ten to a million (e^s overflows from 709 on), launches of light particles, and changed calls."""
     great = [of_lift(rng, lift, "great drag", hint=FAR_ON) for lift in 10.0 ** rng.uniform((1, 3, 3, 4), (3, 4, 4, 6))]
     return [*great, Case(*launch(rng), **light(rng)).labelled(LIGHT, SMALL_BESIDE), *alike_landings(rng)]
 
 
 def flat_landings(rng):
-    """The last takes 3e-6 s; a root good to 2e-12 s, as brentq's are, is off by less than the limit. Its b is 1."""
+    """Return steep and flat launches; the last, with b = 1, takes 3e-6 s, and brentq's error of 2e-12 s passes."""
     angles = {"a launch straight up": math.pi / 2, "a nearly flat launch": 1e-3}
     cases = [of_lift(rng, rng.uniform(0.3, 3), label, angle) for label, angle in angles.items()]
     return [*cases, Case(2.0, 1e-6, mass=1.0, drag=5e5, gravity=1.0).labelled("a nearly flat launch")]
 
 
 def alike_landings(rng):
-    """Launches that are like the first of them but for one parameter."""
+    """Return a launch, and the same with each parameter changed."""
     first = of_lift(rng, rng.uniform(0.3, 3), ANY)
     others = [first.replace(**{name: 1.4 * value}) for name, value in first.kwargs.items()]
     return [first, *(case.labelled("the launch before with one parameter changed", KEPT) for case in others)]
@@ -205,7 +204,7 @@ def alike_landings(rng):
 
 
 def at_speed(swiftness, label, particle, hint=""):
-    """A speed in units of the terminal speed m g/c."""
+    """Return a case with a speed in units of the terminal speed m g/c."""
     speed = swiftness * particle["mass"] * particle["gravity"] / particle["drag"]
     return Case(speed, **particle).labelled(label, hint)
 
@@ -217,9 +216,9 @@ def usual_speeds(rng):
 
 
 def slow_speeds(rng):
-    """No drag; below a tenth of the terminal speed; about it, of light particles and in weak gravity; like one before.
+    """Return speeds with no drag; below a tenth of the terminal speed; about it, light or in weak gravity; and changes.
 
-    The third is always from .007 to .01, where a series of first order in the drag is off by 5e-6 and more.
+    The third slow one is from .007 to .01, where a series of first order in the drag has an error of 5e-6 or more.
     """
     drags = {0.0: ("no drag", TO_ZERO), 1e-12: ("very little drag",), 1e-10: ("very little drag",)}
     cases = [Case(launch(rng)[0], **parameters(rng, drag=drag)).labelled(*words) for drag, words in drags.items()]
@@ -232,7 +231,7 @@ def slow_speeds(rng):
 
 
 def huge_speeds(rng):
-    """Minimising the range is good to 1e-4 of the angle up to 1e6 on a logarithmic scale, up to 3e5 on a linear one."""
+    """Return huge speeds; minimising finds the angle to 1e-4 up to 1e6 on a logarithmic scale, 3e5 on a linear one."""
     return [at_speed(swiftness, "a huge speed", parameters(rng)) for swiftness in 10.0 ** rng.uniform((4, 5.5), (5, 6))]
 
 
@@ -242,7 +241,7 @@ def angles(rng):
 
 
 def picture(rng):
-    """Visibly no straight line, and no parabola: some terminal speeds; 201 samples."""
+    """Return a path that is visibly no straight line, and no parabola: some terminal speeds; 201 samples."""
     particle, angle = parameters(rng), rng.uniform(0.5, 1.2)
     speed = rng.uniform(1.5, 5) * particle["mass"] * particle["gravity"] / particle["drag"]
     duration = max(2.5 * particle["mass"] / particle["drag"], 1.2 * reference.flight_time(speed, angle, **particle))

@@ -15,40 +15,40 @@ from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 
 from . import cases, reference
 
-FORMULA = 1e-12  # a few roundings of the accelerations make 1e-15
-SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 are off by 1.3e-9 of the size, RK4 by 1e-8
-CLOSED = 1e-10  # 1e-15 with expm1; a Taylor series that takes over where five digits are lost, 1e-11
-ROOT = 1e-6  # of the time; roots found by brentq or Newton are good to 1e-9, an event of a simulation to 1e-7
-ANGLE = 1e-6  # rad, as the contract asks; minimising the range is good to 1e-8, or with usual tolerances to 1.6e-6
-SEARCHED = {1e-4: 0.5}  # rad, of a search that stops early
-NEAR = 1e-3  # of an angle
-EARLY = 4e-6  # rad: searches at their usual tolerances stop nearer, a series of first order in the drag is off by more
-SWIFT = 1e-2  # of the angle, as the contract asks
+FORMULA = 1e-12  # a few rounding errors of the accelerations make 1e-15
+SIMULATED = 1e-6  # RK45, DOP853, LSODA at rtol 1e-9, atol 1e-9 have an error of 1.3e-9 of the size, RK4 of 1e-8
+CLOSED = 1e-10  # errors are 1e-15 with expm1; 1e-11 with a Taylor series where five digits would be lost
+ROOT = 1e-6  # of the time; roots by brentq or Newton have errors of 1e-9, an event of a simulation 1e-7
+ANGLE = 1e-6  # rad, as the contract demands; minimising the range has errors of 1e-8, or 1.6e-6 at usual tolerances
+SEARCHED = {1e-4: 0.5}  # {error, rad: share of the points}, for a search that stops early
+NEAR = 1e-3  # relative change of an angle
+EARLY = 4e-6  # rad: searches at usual tolerances have smaller errors, a series of first order in the drag larger ones
+SWIFT = 1e-2  # of the angle, as the contract demands
 CORNER = 1e-9  # the right path, at a speed of 1e12 terminal speeds, is 5e-11 from its limit
-# Of the path's size. The chords between FINE points of the motion leave its path by g (T/1000)^2/8: 2e-5 of its size at
-# a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation leave it by 1e-7.
+# Of the path's size. Chords between FINE points of the motion deviate from its path by g (T/1000)^2/8: 2e-5 of its size
+# at a hundred times the terminal speed, where T = 1.2 v/g is longest for it; the points of a simulation by 1e-7.
 DRAWN, FINE = 1e-4, 1001
-FEWER = 200  # times that; chords of a line of ten points leave a parabola by (2.4/9)^2/4 = 1.8e-2
+FEWER = 200  # times DRAWN; chords of a line of ten points deviate from a parabola by (2.4/9)^2/4 = 1.8e-2
 
 compare = compare_with(reference, tolerance=ROOT)
 compare_rows = compare_with(reference, tolerance=CLOSED)
 
 
 def of_rates(case, _):
-    """v, c v/m and g."""
+    """Return the scale of the rates, from v, c v/m and g."""
     speed, parameters = np.linalg.norm(case.args[1][2:]), case.kwargs
     return speed * (1 + parameters["drag"] / parameters["mass"]) + parameters["gravity"]
 
 
 def largest_of(columns, case, states):
-    """On the way, too: at two times alone a particle may be next to where it was launched."""
+    """Return the largest size of columns, also on the way: with only two times, a particle may be near its launch."""
     t, *start = case.args
     way = reference.trajectory(np.linspace(0.0, np.ptp(t), 9), *start, **case.kwargs)
     return np.abs(np.vstack([states, way]))[:, columns].max()
 
 
 def of_range(case, distance):
-    """The range; straight up it is zero, but for rounding."""
+    """Return the range; straight up, where it is zero up to rounding, the speed times the flight time."""
     speed, angle = case.args
     return speed * reference.flight_time(speed, angle, **case.kwargs) if angle == math.pi / 2 else distance
 
@@ -84,7 +84,7 @@ def of_ground(motion):
 
 
 def launch(row):
-    """Speed and angle of a row: the flight from the origin that goes on as the row does."""
+    """Return speed and angle of a row, which launch a flight from the origin with the same increments."""
     return float(np.hypot(*row[2:])), math.atan2(row[3], row[2])
 
 
@@ -104,7 +104,7 @@ def simulation_without_drag_or_gravity(student, rng):
 
 
 def of_closed_form(case, result, expected):
-    """Which columns of a closed form are right."""
+    """Return which columns of a closed form are right."""
     scale = case.args[1] + case.kwargs["gravity"] * np.ptp(case.args[0])
     x, y, vx, vy = np.abs(result - expected).max(axis=0) <= 1e-6 * scale * max(1.0, np.ptp(case.args[0]))
     if vx and vy:
@@ -152,7 +152,7 @@ def flight_ends_at_launch_height(student, rng):
 
 
 def of_little_drag(name, case, result, expected):
-    """Whether a result of little drag is that of none, or has lost digits."""
+    """Return whether a result for little drag is that for none, or has lost digits."""
     without = getattr(reference, name)(*case.args, **{**case.kwargs, "drag": 0.0})
     if case.kwargs["drag"] and abs(result - without) <= 1e-12 * without:
         return "Very little drag is not none."
@@ -188,7 +188,7 @@ def range_with_hardly_any_drag(student, rng):
 
 
 def of_maximum(student, case, angle, expected):
-    """Where the student's own range is wrong, and is largest at this angle, nothing else is wrong."""
+    """Return FollowsFrom if the student's own range is wrong, and largest at this angle; else a hint."""
     own_ranges = [
         student.horizontal_range.aside(Case(*case.args, angle * (1 + change), **case.kwargs))
         for change in (0, -NEAR, NEAR)
@@ -276,29 +276,29 @@ def both_paths_are_drawn(student, rng):
 
 
 def judge_twins(student, case, curves):
-    """Where the one function's results are moved, and both curves are, while the other's move none, one is drawn twice.
+    """Fail if both curves show one function: moving its results moves both curves, moving the other's moves none.
 
-    So it is where they are the same numbers, to the last bit, unless simulate and trajectory agree so.
+    Fail as well if they are the same numbers, to the last bit, unless simulate and trajectory agree so.
     """
     hint = "Does one curve show simulate, and the other trajectory?"
     try:
         moved, same = moves(student, case, curves, "simulate"), np.array_equal(*(line.points for line in curves))
         twice = moved != 1 and {moved, moves(student, case, curves, "trajectory")} == {0, 2}
         identical = same and np.array_equal(student.simulate.aside(case), student.trajectory.aside(case))
-    except Failed:  # of which their own checks tell
+    except Failed:  # their own checks report it
         return
     expect_that(not twice, "Both curves are of one function", hint=hint)
     expect_that(identical or not same, "Both curves are the same numbers, to the last bit", hint=hint)
 
 
 def moves(student, case, curves, name):
-    """How many of the two curves, which are one path, move by a metre where the results of this function do."""
+    """Return how many of the two curves, which are one path, move by a metre if the results of this function do."""
     after = student.plot_comparison.drawn(case, moved=name).lines
     return 2 - sum(any(near(line.points, other.points) for line in curves) for other in after)
 
 
 def near(points, other):
-    """Whether two curves have as many points, half a metre apart at most."""
+    """Return whether two curves have as many points, half a metre apart at most."""
     return points.shape == other.shape and np.abs(points - other).max() < 0.5
 
 

@@ -1,4 +1,4 @@
-"""Right functions of hw02 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw02 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def best_angle(speed, *, mass, drag, gravity):
-    """Where dx/da = 0 at the landing: there y stays 0 as the angle a and with it the flight time T change."""
+    """Solve dx/da = 0 at the landing: y stays 0 there as the angle a, and with it the flight time T, change."""
     from scipy.optimize import brentq
 
     def slope(angle):
@@ -20,5 +20,5 @@ def best_angle(speed, *, mass, drag, gravity):
 
 
 def horizontal_range(speed, angle, **particle):
-    """x of the closed form at the flight time."""
+    """Evaluate x of the closed form at the flight time."""
     return trajectory(np.array([flight_time(speed, angle, **particle)]), speed, angle, **particle)[0, 0]

@@ -1,4 +1,4 @@
-"""The closed form of hw02 as one writes it, which loses digits where drag is small."""
+"""The closed form of hw02 in its usual form, which loses digits if drag is small."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def trajectory(t, speed, angle, *, mass, drag, gravity):
-    """Positions by integrating the velocities, which fall to the terminal one in the time tau."""
+    """Integrate the velocities, which approach the terminal one in the time tau."""
     tau = mass / drag
     vx, vy, decay = speed * math.cos(angle), speed * math.sin(angle), np.exp(-drag * t / mass)
     x, y = tau * vx * (1 - decay), tau * (vy + gravity * tau) * (1 - decay) - gravity * tau * t
@@ -14,7 +14,7 @@ def trajectory(t, speed, angle, *, mass, drag, gravity):
 
 
 def flight_time(speed, angle, *, gravity, **particle):
-    """When the closed form comes back to y = 0, but for the launch."""
+    """Solve for the return of the closed form to y = 0, after the launch."""
     from scipy.optimize import brentq
 
     def mean_rise(time):

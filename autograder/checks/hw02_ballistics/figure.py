@@ -10,7 +10,7 @@ from . import reference
 
 
 def figure(angle=0.9, speed=1.0, drag=1.6):
-    """The path for m = g = 1 and this drag."""
+    """Draw the path for m = g = 1 and this drag."""
     parameters = {"mass": 1.0, "drag": drag, "gravity": 1.0}
     end = reference.flight_time(speed, angle, **parameters)
     path = reference.trajectory(np.linspace(0.0, 1.12 * end, 60), speed, angle, **parameters)[:, :2]

@@ -1,5 +1,6 @@
-"""What is right in hw02, by another route than the solution's: superposition. Each bit of speed that launch and gravity
-give decays on its own, and the sum over them is done by Gauss's quadrature, which drag zero does not trouble.
+"""Reference functions of hw02, by superposition, unlike the solution.
+
+Each increment of speed from launch and gravity decays separately; Gauss's quadrature, valid for zero drag, sums them.
 """
 
 import math
@@ -12,9 +13,9 @@ NODES, WEIGHTS = (np.polynomial.legendre.leggauss(40)[0] + 1) / 2, np.polynomial
 
 
 def means(s):
-    """The means of e^(-s u) and of (1 - u) e^(-s u) over 0 < u < 1."""
+    """Return the means of e^(-s u) and of (1 - u) e^(-s u) over 0 < u < 1."""
     s = np.asarray(s, float)
-    wide = np.maximum(s, 30.0)  # beyond, e^-s is below rounding beside 1
+    wide = np.maximum(s, 30.0)  # for larger s, e^-s is below the rounding error of 1
     decays = np.exp(-np.minimum(s, 30.0)[..., None] * NODES)
     first, second = decays @ WEIGHTS, decays @ (WEIGHTS * (1 - NODES))
     late = -np.expm1(-wide) / wide
@@ -27,7 +28,7 @@ def state_derivative(t, state, mass, drag, gravity):
 
 
 def trajectory(t, speed, angle, mass, drag, gravity):
-    """Launched at t = 0."""
+    """Return the states after a launch at t = 0."""
     vx, vy = speed * math.cos(angle), speed * math.sin(angle)
     mean, late = means(drag / mass * t)
     decay = np.exp(-drag / mass * t)
@@ -36,16 +37,16 @@ def trajectory(t, speed, angle, mass, drag, gravity):
 
 
 def simulate(t, speed, angle, **parameters):
-    """Launched at t[0]."""
+    """Return the states after a launch at t[0]."""
     return trajectory(t - t[0], speed, angle, **parameters)
 
 
 def flight_time(speed, angle, mass, drag, gravity):
-    """By Newton's steps down from q = 2, the time in units of vy/g without drag: the height is concave in it."""
+    """Solve by Newton's steps down from q = 2, the time in units of vy/g without drag: the height is concave in q."""
     vy = speed * math.sin(angle)
     lift = drag * vy / (mass * gravity)
     q, step = 2.0, 1.0
-    while step > 1e-9:  # and the next is as its square
+    while step > 1e-9:  # the next step is about its square
         mean, late = means(q * lift)
         step = q * (mean - q * late) / (math.exp(-q * lift) - q * mean)
         q -= step
@@ -53,7 +54,7 @@ def flight_time(speed, angle, mass, drag, gravity):
 
 
 def landing(speed, angle, **parameters):
-    """The state back at launch height."""
+    """Return the state back at launch height."""
     return trajectory(np.array([flight_time(speed, angle, **parameters)]), speed, angle, **parameters)[0]
 
 
@@ -62,16 +63,16 @@ def horizontal_range(speed, angle, **parameters):
 
 
 def best_angle(speed, mass, drag, gravity):
-    """The angle of the largest range, at which it lands at right angles to the launch.
+    """Return the angle of the largest range, at which the particle lands at right angles to the launch.
 
     The derivative of the range by the angle is x_a - x_t y_a/y_t with (x_a, y_a) along (-vy, vx) of the launch and
-    (x_t, y_t) the velocity at the landing. Next to no drag it is pi/4 - sqrt(2)/6 c v/(m g).
+    (x_t, y_t) the velocity at the landing. For very little drag the angle is pi/4 - sqrt(2)/6 c v/(m g).
     """
     swiftness = drag * speed / (mass * gravity)
     if swiftness < 1e-6:
         return math.pi / 4 - math.sqrt(2) / 6 * swiftness
 
-    low, high = math.log(1e-10), 0.0  # of the angle's logarithm, which the halvings make good to 1e-11
+    low, high = math.log(1e-10), 0.0  # bounds of the angle's logarithm; the halvings find it to 1e-11
     for _ in range(40):
         middle = (low + high) / 2
         angle = math.exp(middle)
@@ -81,9 +82,9 @@ def best_angle(speed, mass, drag, gravity):
 
 
 def limit_shape(angle):
-    """Of the path at a speed of 1e12 times the terminal speed: launch, end of the drag's work, landing."""
+    """Return launch, end of the drag's work and landing, for a speed of 1e12 times the terminal speed, over m v/c."""
     speed = 1e12
-    times = np.array([0.0, 40.0, speed * math.sin(angle)])  # e^-40 is nothing, and 40/1e12 too
+    times = np.array([0.0, 40.0, speed * math.sin(angle)])  # e^-40 and 40/1e12 are negligible
     return trajectory(times, speed, angle, mass=1.0, drag=1.0, gravity=1.0)[:, :2] / speed
 
 
@@ -92,7 +93,7 @@ NO_THRUST = "You drew a force along the velocity; after the launch no other body
 
 
 def free_body_diagram(state, mass, drag, gravity):
-    """Of the particle."""
+    """Return the particle and its forces."""
     point, velocity = np.split(np.asarray(state, float), 2)
     acts = drag != 0 and bool(velocity.any())
     forces = (

@@ -7,11 +7,11 @@ from tam570_grader import Case
 NAMES = "r_p", "v_p", "a_p", "r_c", "v_c", "a_c"
 # vectors that are zero together: P or C at the origin, at rest, without acceleration, fixed
 ZERO = "r_p", "v_p", "v_c a_c", "a_p", "r_c v_c a_c"
-LETTERS_ALIKE = "B", "ab", ""  # no definitions, though they hold a letter of one, or are a part of their list
+LETTERS_ALIKE = "B", "ab", ""  # no definitions, but with a letter of one, or a part of their list
 
 
 def motions(rng):
-    """(state, mass) of random sizes; with zeros; P at C, P along with C, whole numbers."""
+    """Return (state, mass) of random sizes; with zeros; P at C, P moving with C, integers."""
     random = [(rng.normal(size=(6, 3)) * rng.uniform(0.3, 3, (6, 1)), 10 ** rng.uniform(-1, 1)) for _ in range(2)]
     zero = [(rng.normal(size=(6, 3)) * [[name not in names.split()] for name in NAMES], 1.0) for names in ZERO]
     state = rng.normal(size=(6, 3))
@@ -21,7 +21,7 @@ def motions(rng):
 
 
 def label(state, what):
-    """What to call a state: which of its vectors are zero, or which two are the same."""
+    """Return the label of a state: which of its vectors are zero, or which two are the same."""
     zero = [name for name, vector in zip(NAMES, state, strict=True) if not np.any(vector)]
     same = [k for k in (0, 1) if np.array_equal(state[k], state[k + 3]) and np.any(state[k])]
     zero += [f"{NAMES[k]} - {NAMES[k + 3]}" for k in same]
@@ -33,7 +33,7 @@ def moments(rng):
 
 
 def rates(definitions, vectors=slice(None)):
-    """Arguments of rate by each of these definitions; with fewer of the vectors, of another function."""
+    """Return a function for the arguments of `rate` by these definitions; with fewer vectors, of another function."""
     return lambda rng: [
         Case(definition, *s[vectors], mass=mass).labelled(label(s, f"definition {definition}"))
         for definition in definitions
@@ -46,7 +46,7 @@ def momenta(definitions):
 
 
 def letters(cases_of):
-    """The first of these cases, then the same call with strings that name no definition."""
+    """Return a function for the first of these cases, and the same call with strings that name no definition."""
 
     def cases(rng):
         case = cases_of(rng)[0]

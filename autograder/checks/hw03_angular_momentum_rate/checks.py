@@ -6,20 +6,20 @@ from tam570_grader import Assignment, Case, array, check, check_domain, check_ra
 
 from . import cases, reference, special
 
-POINTWISE = 1e-8  # of its size; a few roundings make 1e-15, a rate by differences of a Taylor series 1e-11
-NEAR_MISS = 1e-4  # off by less, a rate is right in principle, to choose the words
+POINTWISE = 1e-8  # relative; a few rounding errors make 1e-15, a rate by differences of a Taylor series 1e-11
+NEAR_MISS = 1e-4  # relative error up to which a rate is right in principle, for the choice of the hint
 
 compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def sizes(state):
-    """|r|, |v|, |a| of both points together, as far as they are given."""
+    """Return |r|, |v|, |a|, each the sum of both points, as far as a state has them."""
     half = len(state) // 2
     return [np.linalg.norm(state[i]) + np.linalg.norm(state[i + half]) for i in range(half)]
 
 
 def moment_size(case, _=None):
-    """N m."""
+    """Return the scale of a moment, N m."""
     if len(case.args) == 3:
         r_p, a_p, r_c = case.args
         return case.kwargs["mass"] * (np.linalg.norm(r_p) + np.linalg.norm(r_c)) * np.linalg.norm(a_p)
@@ -31,7 +31,7 @@ QUOTIENT = "It is nearly right: is it a difference quotient? Differentiate the p
 
 
 def by_difference(hint):
-    """The hint, but for a rate that is nearly right, as a difference quotient is."""
+    """Return a hint: QUOTIENT for a rate that is nearly right, as a difference quotient is; else `hint`."""
     return lambda case, result, expected: (
         QUOTIENT if np.abs(result - expected).max() <= NEAR_MISS * moment_size(case) else hint
     )
@@ -133,7 +133,7 @@ def discrepancy_refuses_other_definitions(student, rng):
 
 
 def judge_motion(special_motion, definition):
-    """Fail for each flaw of a special motion; if it has none in another order, the hint says so."""
+    """Fail for the first flaw of a special motion; if it has none in another order, the hint says so."""
     p, c = special_motion(definition)
     for message, hint in special.flaws(definition, p, c):
         fail(message, hint=special.order_hint(definition, p, c) or hint)

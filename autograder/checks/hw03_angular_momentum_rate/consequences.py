@@ -1,20 +1,20 @@
-"""Right functions of hw03 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw03 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
 
 def moment(r_p, a_p, r_c, *, mass):
-    """By the components of a product."""
+    """Compute the components of a product."""
     return _cross(r_p - r_c, mass * a_p)
 
 
 def angular_momentum(definition, r_p, v_p, r_c, v_c, *, mass):
-    """By the components of a product."""
+    """Compute the components of a product."""
     return _cross(r_p - r_c, mass * (v_p - v_c if definition == "c" else v_p))
 
 
 def rate(definition, r_p, v_p, a_p, r_c, v_c, a_c, *, mass):
-    """The angular momentum along parabolas, a cubic in time, differenced; the point C' of definition a stays."""
+    """Difference the angular momentum along parabolas, a cubic in time; the point C' of definition a stays."""
 
     def along(t):
         moved = (r_c, v_c) if definition == "a" else (r_c + t * v_c + t**2 / 2 * a_c, v_c + t * a_c)

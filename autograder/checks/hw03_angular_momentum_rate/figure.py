@@ -8,7 +8,7 @@ from . import reference
 
 
 def figure(r_p=(2.4, 1.7, 0.0), v_p=(0.5, -0.7, 0.0), r_c=(1.0, 0.45, 0.0), v_c=(0.8, 0.35, 0.0)):
-    """In the plane of the paper, at t = 0 of two parabolas."""
+    """Draw two parabolas in the plane of the paper, at t = 0."""
     shown = Figure(
         "A particle P and a point C",
         "The frame F has its origin O, x to the right and y up. The particle P of mass m moves with the velocity "

@@ -1,4 +1,4 @@
-"""What is right in hw03: products of vectors of polynomials in time, differentiated."""
+"""Reference functions of hw03: products of vectors of polynomials in time, differentiated."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ derivative = np.polynomial.polynomial.polyder
 
 
 def cross(p, q):
-    """Coefficients (k, 3) of the vector product of two vectors of polynomials."""
+    """Return the coefficients (k, 3) of the vector product of two vectors of polynomials."""
     product = np.zeros((len(p) + len(q) - 1, 3))
     for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
         product[:, k] = np.convolve(p[:, i], q[:, j]) - np.convolve(p[:, j], q[:, i])
@@ -21,13 +21,13 @@ def difference(p, q):
 
 
 def momentum(definition, p, c, mass):
-    """The angular momentum as polynomials in time; C' is where C is at the time 0."""
+    """Return the angular momentum as polynomials in time; C' is where C is at the time 0."""
     velocity = derivative(difference(p, c) if definition == "c" else p)
     return mass * cross(difference(p, c[:1] if definition == "a" else c), velocity)
 
 
 def path(r, v, a=(0.0, 0.0, 0.0)):
-    """The polynomial of a point that is at r with these derivatives at the time 0."""
+    """Return the polynomial of a point that is at r with these derivatives at the time 0."""
     return np.array([r, v, np.asarray(a) / 2])
 
 

@@ -1,19 +1,19 @@
-"""Which motions of P and C are special: at every t, told by the coefficients of products of polynomials."""
+"""Find which motions of P and C are special at every t, by the coefficients of products of polynomials."""
 
 import numpy as np
 
 from .reference import cross, derivative, difference
 
-IDENTITY = 1e-12  # relative, of a coefficient: those of a motion, and so their products, are rounded to 1e-16 each
-FAR_OFF = 1e-6  # the same of a motion far from O: 1e7 m away from it one metre is rounded to 1e-9
-CERTAIN = 1e-9  # relative, of a coefficient that is there for certain
-NOTHING = 1e-8  # of the largest: a polynomial that vanishes twice is found to be below the root of rounding
-LONGEST = 100  # coefficients of a motion that are looked at
+IDENTITY = 1e-12  # relative; coefficients of a motion, and so of its products, have rounding errors of 1e-16
+FAR_OFF = 1e-6  # the same for a motion far from O: at 1e7 m from it, one metre has a rounding error of 1e-9
+CERTAIN = 1e-9  # relative; a larger coefficient is certainly not zero
+NOTHING = 1e-8  # of the largest; at a double zero, the minimum found is below the root of the rounding error
+LONGEST = 100  # coefficients of a motion, at most
 GRID, FINER = np.linspace(0, 1, 2001), np.linspace(0, 1, 17)[:, None]
 
 
 def smallest(p):
-    """Smallest magnitude of a vector of polynomials for 0 <= t <= 1, and where: by finer grids about each dip."""
+    """Return the smallest magnitude of a vector of polynomials for 0 <= t <= 1, and its t; use finer grids at dips."""
 
     def magnitude(t):
         return np.linalg.norm(np.polynomial.polynomial.polyval(t, p), axis=0)
@@ -21,7 +21,7 @@ def smallest(p):
     padded = np.pad(magnitude(GRID), 1, constant_values=np.inf)
     dips = np.flatnonzero((padded[1:-1] < padded[2:]) & (padded[1:-1] <= padded[:-2]))
     low, high = GRID[np.maximum(dips - 1, 0)], GRID[np.minimum(dips + 1, len(GRID) - 1)]
-    for _ in range(16):  # each an eighth as wide: to 1e-17
+    for _ in range(16):  # an eighth of the width each time: to 1e-17
         times = low + (high - low) * FINER
         middle = np.take_along_axis(times, np.argmin(magnitude(times), axis=0)[None], axis=0)[0]
         low, high = np.maximum(low, middle - (high - low) / 16), np.minimum(high, middle + (high - low) / 16)
@@ -31,12 +31,12 @@ def smallest(p):
 
 
 def extent(p):
-    """What a vector of polynomials cannot exceed for 0 <= t <= 1."""
+    """Return a bound on a vector of polynomials for 0 <= t <= 1."""
     return np.abs(p).sum()
 
 
 def violation(definition, p, c):
-    """Of the product that vanishes if rate = moment: its size, whether it is zero but for rounding, or surely not."""
+    """Return the size of the product that vanishes if rate = moment; if it is zero up to rounding; if surely not."""
     if definition == "b":  # -v_C x m v_P
         first, other = derivative(c), derivative(p)
         rounded = extent(first) * extent(other)
@@ -49,7 +49,7 @@ def violation(definition, p, c):
 
 
 def flaws(definition, p, c):
-    """What is wrong with a motion for which this definition should hold and the other fail; each flaw with a hint."""
+    """Yield the flaws of a motion for which this definition should hold and the other fail, each with a hint."""
     if max(len(p), len(c)) > LONGEST:
         yield f"the motion has more than {LONGEST} coefficients", ""
     apart, speed = difference(p, c), derivative(c)
@@ -75,9 +75,9 @@ def flaws(definition, p, c):
 
 
 def order_hint(definition, p, c):
-    """What to say of a motion that has no flaw with P and C exchanged, or with its coefficients turned round.
+    """Return a hint for a motion that has no flaw with P and C exchanged, or with its coefficients reversed.
 
-    While P rests, definition b holds whatever C does: then only a highest coefficient of zero tells that they are.
+    While P rests, definition b holds for any motion of C: then only a highest coefficient of zero shows the reversal.
     """
     orders = {"Are P and C swapped? The motion of P comes first": (c, p)}
     if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):

@@ -21,9 +21,9 @@ PLAIN: dict[str, Callable[..., tuple[object, object]]] = {
     "below the origin, going down": lambda r, v, centre: (-abs(r) * Z, -abs(v) * Z),
     "level with the origin": lambda r, v, centre: (r * (1 - Z), v * (1 - Z)),
     "in the plane y = 0": lambda r, v, centre: (r * [1, 0, 1], v * [1, 0, 1]),
-}  # kind: the position and velocity, of random ones and the place of rest
-C, S = math.cos(1.0), math.sin(1.0)  # radii a X and b Y, and those where the mass is at 1 rad
-# kind: positions from the place of rest, and velocities, of ONES; the last kinds are far enough off to be told
+}  # {label: start(random position, random velocity, equilibrium) -> position, velocity}
+C, S = math.cos(1.0), math.sin(1.0)  # cos and sin of 1 rad, for points of an ellipse with semi-axes a X and b Y
+# {label: (position from the equilibrium, velocity), for ONES}; the last ellipses are clearly no circles, no axes
 ABOUT_REST = {
     "a circle": [(X, Y), (Z, X)],
     "a general ellipse": [(2 * X, Y), (X, 2 * Y)],
@@ -47,7 +47,7 @@ PLAIN_VIEWS = {
 
 
 def spring(rng, gravity=None):
-    """A random mass, stiffness and gravity; the spring is stretched by 0.2 to 5 m by the weight."""
+    """Return a random mass, stiffness and gravity; the weight stretches the spring by 0.2 to 5 m."""
     stiffness, sag = 10 ** rng.uniform(-0.3, 1.3), rng.uniform(0.2, 5.0)
     strength = rng.uniform(2.0, 25.0) if gravity is None else gravity
     mass = 10 ** rng.uniform(-0.5, 0.5) if gravity == 0 else stiffness * sag / strength
@@ -55,7 +55,7 @@ def spring(rng, gravity=None):
 
 
 def random(rng, gravity=None, label="a random start"):
-    """(position, velocity, **spring), both of similar importance."""
+    """Return (position, velocity, **spring), with position and velocity of similar importance."""
     parameters = spring(rng, gravity)
     position, velocity = rng.normal(size=(2, 3)) * rng.uniform(1, 3, (2, 1))
     return Case(position, rate_of(**parameters) * velocity, **parameters).labelled(label)
@@ -65,7 +65,7 @@ WEIGHTLESS = ("at rest", "at rest at the origin", "in the plane y = 0")
 
 
 def plain(rng):
-    """Positions and velocities with zeros, with gravity and without; whole numbers."""
+    """Yield positions and velocities with zeros, with gravity and without; integers."""
     for label, start in PLAIN.items():
         for gravity in (None, 0.0) if label in WEIGHTLESS else (None,):
             case, weight = random(rng, gravity), "" if gravity is None else ", without gravity"
@@ -74,7 +74,7 @@ def plain(rng):
 
 
 def small(rng):
-    """About the origin, without gravity; np.allclose takes 1e-8 for zero, of speeds too."""
+    """Return a tiny motion about the origin, without gravity; np.allclose takes 1e-8 for zero, also for speeds."""
     case = random(rng, 0.0, "a very small motion")
     return case.replace(*(1e-11 * vector for vector in case.args))
 
@@ -93,7 +93,7 @@ def period(case):
 
 
 def motions(periods, label, first=None, gravities=(None,), count=12):
-    """Random starts at uneven times, the first of which, in periods, is not zero unless that is said."""
+    """Return a function for random starts at uneven times, the first of which is not zero or, in periods, `first`."""
 
     def cases(rng):
         for gravity in gravities:
@@ -109,19 +109,19 @@ many_periods = motions(5.2, "five periods, t[0] not 0", 0.4, count=20)
 
 
 def at_two_times(rng):
-    """Of the plain cases."""
+    """Yield the plain cases at two times."""
     for case in plain(rng):
         t = np.array([0.0, rng.uniform(0.3, 1.3) * period(case)])
         yield case.with_leading(t).labelled(f"two times, {case.label}")
 
 
 def few_times(rng):
-    """At rest at the origin; a motion, and calls like it."""
+    """Return rest at the origin, and a motion with changed calls."""
     return [*(case for case in at_two_times(rng) if "at rest at the origin" in case.label), *like_the_first(rng)]
 
 
 def like_the_first(rng):
-    """A motion, at other times, from another start, of another spring."""
+    """Return a motion, and the same at other times, from another start, with another spring."""
     (first,) = motions(0.7, "three times", 0.0, count=3)(rng)
     return [first, *repeated_calls(rng, first)]
 
@@ -132,7 +132,7 @@ def with_gravity(rng):
 
 
 def from_any_time(rng):
-    """Of the closed form: without gravity, shifted times, a single one, descending ones, and nothing kept."""
+    """Yield calls of the closed form: no gravity, shifted times, a single one, descending ones, and changed calls."""
     yield from motions(1.3, "no gravity", 0.0, gravities=(0.0,))(rng)
     yield from motions(1.3, "times that do not start at 0")(rng)
     yield from (case for case in at_two_times(rng) if not case.kwargs["gravity"])
@@ -144,7 +144,7 @@ def from_any_time(rng):
 
 
 def stiff(rng):
-    """At 60 to 80 rad/s two periods, which steps of a millisecond follow, and steps of ten milliseconds do not."""
+    """Return two periods at 60 to 80 rad/s, which steps of 1 ms can follow, and steps of 10 ms cannot."""
     case = random(rng, label="two times, a stiff spring")
     case = case.replace(stiffness=case.kwargs["mass"] * rng.uniform(60, 80) ** 2)
     return [case.with_leading(1 + np.array([0.0, rng.uniform(2.2, 2.4) * period(case)]))]
@@ -154,7 +154,7 @@ def stiff(rng):
 
 
 def orbits(rng):
-    """Random ellipses and circles; those of whole numbers, about (0, 0, -1), and with one parameter changed."""
+    """Yield random ellipses and circles; those of integers, about (0, 0, -1), and with one parameter changed."""
     yield from [random(rng, gravity, "a general ellipse") for gravity in (None, None, 0.0)]
     for gravity in (None, 0.0):
         case = random(rng, gravity, "a circle")
@@ -168,7 +168,7 @@ def orbits(rng):
 
 
 def flat(rng):
-    """Lines, points."""
+    """Yield ellipses that are lines or points."""
     for gravity in (None, 0.0):
         for moves in (1, 0):
             case = random(rng, gravity, "a line")
@@ -193,5 +193,5 @@ def views(rng):
 
 def drawn(rng):
     case = random(rng)
-    t = np.linspace(0.0, 0.6 * period(case), 201)  # from 0: the closed form is as good a source as the simulation
+    t = np.linspace(0.0, 0.6 * period(case), 201)  # from 0, so that the closed form is as good as the simulation
     return Case(t, *case.args, rng.uniform(-3, 3), rng.uniform(0.3, 1.2), **case.kwargs)

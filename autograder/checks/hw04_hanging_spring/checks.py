@@ -15,19 +15,19 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 
 from . import cases, reference
 
-POINTWISE = 1e-9  # a few roundings make 1e-14
-TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 is off by 2e-7 at most
-ENERGY = 1e-5  # of itself; the same solvers lose 1e-7 of it in five periods
-COARSELY = 0.05  # of the scale: loose tolerances shift the phase in five periods; a mass that stands is off by 0.7
-# Of the square of the larger axis. Axes sought along a simulated orbit are off by up to 8e-9 (LSODA at rtol 1e-9, atol
-# 1e-9), a circle's by their sum and difference, sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), by 5e-8: the root of roundings.
+POINTWISE = 1e-9  # a few rounding errors make 1e-14
+TRAJECTORY = 1e-5  # solve_ivp at rtol 1e-9, atol 1e-9 has an error of 2e-7 at most
+ENERGY = 1e-5  # relative; the same solvers lose 1e-7 of it in five periods
+COARSELY = 0.05  # of the scale: in five periods, loose tolerances shift the phase; rest has an error of 0.7
+# Of the square of the larger axis. Axes sought along a simulated orbit have errors up to 8e-9 (LSODA at rtol 1e-9, atol
+# 1e-9); of a circle, by sum and difference sqrt(r^2 + v^2/k^2 +- 2 abs(r x v)/k), up to 5e-8: the root of rounding.
 TENSOR = 1e-7
-# Of the motion's size; no ellipse counts as smaller. A zero axis comes out as the rounding of |centre|, and its square
-# as that of |centre|^2, 1e-15 of the size's square, if it is a difference of such: TENSOR * NOUGHT^2 lets both pass.
+# Of the motion's size, added to each ellipse's. A zero axis has the rounding error of |centre|; a difference of squares
+# has that of |centre|^2, 1e-15 of the size's square. TENSOR * NOUGHT^2 accepts both.
 NOUGHT = 1e-3
-ON_OWN_MOTION = 1e-4  # of the motion's size; a careful integration is off by less
-RIGHT_ANGLE = 1e-7  # of the larger axis, along the smaller; eigenvectors are good to rounding over the gap
-DRAWN = 1e-3  # of the picture; chords of the 201 points that it is compared with leave the path by 4e-5
+ON_OWN_MOTION = 1e-4  # of the motion's size; a careful integration has a smaller error
+RIGHT_ANGLE = 1e-7  # of the square of the size; eigenvectors have errors of rounding over the gap
+DRAWN = 1e-3  # of the picture; chords between the 201 points of the path deviate from it by 4e-5
 
 compare = compare_with(reference, tolerance=POINTWISE)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
@@ -35,7 +35,7 @@ compare_energy = compare_with(reference, by=check_conserved, coarsely=COARSELY)
 
 
 def length(case, _=None):
-    """The size of the motion, m; of a mass at rest for good at the origin, 1."""
+    """Return the size of the motion, m; 1 for permanent rest at the origin."""
     k = reference.rate_of(**case.kwargs)
     state = case.args[-1] if len(case.args[-1]) == 6 else np.hstack(case.args[-2:])
     return np.linalg.norm(state[:3]) + np.linalg.norm(state[3:]) / k + case.kwargs["gravity"] / k**2 or 1.0
@@ -73,7 +73,7 @@ def energy_is_that_of_motion_spring_and_weight(student, rng):
 
 
 def of_closed_form(case, result, expected):
-    """Which columns of a closed form are right."""
+    """Return which columns of a closed form are right."""
     position, velocity = np.abs(result - expected).reshape(-1, 2, 3).max(axis=(0, 2)) <= 1e-6 * np.abs(expected).max()
     if position or velocity:
         return "The position is right: differentiate it." if position else "The velocity is right, the position is not."
@@ -130,7 +130,7 @@ def where_it_rests(student):
 
 
 def own_motion(student, case, centre, axes):
-    """The student's own wrong motion, of which this is the ellipse; empty if it is of none."""
+    """Return FollowsFrom the student's own wrong motion that has this ellipse; empty if none has."""
     moving = Case(np.linspace(0, 1, 12) * 2 * np.pi / reference.rate_of(**case.kwargs), *case.args, **case.kwargs)
     for function in (student.simulate, student.solution):
         if axes.any(axis=1).all() and first_wrong(reference, moving, function)():
@@ -143,13 +143,13 @@ def own_motion(student, case, centre, axes):
 
 
 def about(centre, case, rate):
-    """Fradkin's tensor about a centre."""
+    """Return Fradkin's tensor about a centre."""
     radius, velocity = case.args[0] - centre, case.args[1] / rate
     return np.outer(radius, radius) + np.outer(velocity, velocity)
 
 
 def own_source(student, case, centre, axes):
-    """The student's own wrong motion or wrong centre, to which the ellipse belongs; empty if to none."""
+    """Return FollowsFrom the student's own wrong centre or motion to which the ellipse belongs; empty if to none."""
     own = about(centre, case, reference.rate_of(**case.kwargs))
     is_about_it = np.allclose(axes.T @ axes, own, rtol=0, atol=TENSOR * np.trace(own))
     return FollowsFrom("orbit") if is_about_it else own_motion(student, case, centre, axes)
@@ -162,7 +162,7 @@ def orbit_has_its_centre_at_the_equilibrium(student, rng):
 
 
 def judge_axes(student, calls):
-    """Semi-axes a, b are perpendicular, a the larger, and a a^T + b b^T is Fradkin's tensor."""
+    """Fail unless semi-axes a, b are perpendicular, a is the larger, and a a^T + b b^T is Fradkin's tensor."""
     for case, (centre, (a, b)) in student.orbit.each(calls):
         (_, tensor), product = reference.orbit(*case.args, **case.kwargs), np.outer(a, a) + np.outer(b, b)
         square = np.trace(tensor) + (NOUGHT * length(case)) ** 2

@@ -1,10 +1,10 @@
-"""Right functions of hw04 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw04 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
 
 def solution(t, position, velocity, *, mass, stiffness, gravity):
-    """About the equilibrium, each component with an amplitude and a phase."""
+    """Use an amplitude and a phase for each component about the equilibrium."""
     rate = np.sqrt(stiffness / mass)
     centre = np.array([0.0, 0.0, -mass * gravity / stiffness])
     phase = rate * t[:, None] - np.arctan2(velocity / rate, position - centre)
@@ -13,7 +13,7 @@ def solution(t, position, velocity, *, mass, stiffness, gravity):
 
 
 def project(points, azimuth, elevation):
-    """What is away from the axis lies lower in the picture, the higher the eye."""
+    """Project the points: one towards the eye is lower in the picture, the more so the higher the eye."""
     x, y, z = np.transpose(points)
     ahead = x * np.cos(azimuth) + y * np.sin(azimuth)
     right = y * np.cos(azimuth) - x * np.sin(azimuth)

@@ -10,7 +10,7 @@ AZIMUTH, ELEVATION = -0.9, 0.3
 
 
 def figure(position=(0.75, 0.35, -1.1)):
-    """Seen by the projection of the problem."""
+    """Draw the mass as seen by the projection of the problem."""
 
     def seen(point):
         return reference.project(np.atleast_2d(np.asarray(point, float)), AZIMUTH, ELEVATION)[0]

@@ -1,4 +1,4 @@
-"""What is right in hw04: a matrix exponential, the oscillator's (Fradkin's) tensor, and turned coordinates."""
+"""Reference functions of hw04: a matrix exponential, the oscillator's (Fradkin's) tensor, and turned coordinates."""
 
 import math
 
@@ -14,7 +14,7 @@ def rate_of(mass, stiffness, gravity):
 
 
 def generator(mass, stiffness, gravity):
-    """The matrix of the linear equation for (r, v, 1)."""
+    """Return the matrix of the linear equation for (r, v, 1)."""
     matrix = np.zeros((7, 7))
     matrix[:3, 3:6] = np.eye(3)
     matrix[3:6, :3] = -stiffness / mass * np.eye(3)
@@ -32,9 +32,9 @@ def energy(state, mass, stiffness, gravity):
 
 
 def solution(t, position, velocity, **parameters):
-    """(n, 6) states, position and velocity being those at t = 0.
+    """Return (n, 6) states; position and velocity are those at t = 0.
 
-    The generator A has the cube -rate^2 A, as that of a rotation: its exponential is Rodrigues' formula.
+    The generator A satisfies A^3 = -rate^2 A, as that of a rotation: its exponential is Rodrigues' formula.
     """
     matrix, start, rate = generator(**parameters), np.array([*position, *velocity, 1.0]), rate_of(**parameters)
     angle = rate * np.reshape(t, (-1, 1))
@@ -43,7 +43,7 @@ def solution(t, position, velocity, **parameters):
 
 
 def simulate(t, position, velocity, **parameters):
-    """(n, 6) states, position and velocity being those at t[0]."""
+    """Return (n, 6) states; position and velocity are those at t[0]."""
     return solution(t - t[0], position, velocity, **parameters)
 
 
@@ -52,19 +52,19 @@ def centre(mass, stiffness, gravity):
 
 
 def energies(states, mass, stiffness, gravity):
-    """(n,) J, from the place of rest."""
+    """Return (n,) energies, J, relative to the equilibrium."""
     places = states[:, :3] - centre(mass, stiffness, gravity)
     return (stiffness * np.sum(places**2, axis=1) + mass * np.sum(states[:, 3:] ** 2, axis=1)) / 2
 
 
 def orbit(position, velocity, **parameters):
-    """The centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the axes, which give it."""
+    """Return the centre, and Fradkin's tensor over stiffness/2: its eigenvalues are the squares of the semi-axes."""
     radius = position - centre(**parameters)
     return centre(**parameters), np.outer(radius, radius) + np.outer(velocity, velocity) / rate_of(**parameters) ** 2
 
 
 def project(points, azimuth, elevation):
-    """The points in coordinates turned by the azimuth about z, then by the elevation about the y axis."""
+    """Return the points in coordinates turned by the azimuth about z, then by the elevation about the y axis."""
     plane = (points[:, 0] + 1j * points[:, 1]) * np.exp(-1j * azimuth)
     tilted = (plane.real + 1j * points[:, 2]) * np.exp(-1j * elevation)
     return np.column_stack([plane.imag, tilted.imag])
@@ -74,7 +74,7 @@ PUSHES = "You let the spring push. Its rest length is zero: it always pulls towa
 
 
 def free_body_diagram(state, mass, stiffness, gravity):
-    """Of the mass."""
+    """Return the mass and its forces."""
     point = np.asarray(state[:3], float)
     spring = Force(
         "the force of the spring", point, "the mass", -point, sense=True, acts=bool(point.any()), reversed=PUSHES

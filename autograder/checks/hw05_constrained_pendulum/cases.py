@@ -13,13 +13,13 @@ UNIT = {"mass": 1.0, "length": 1.0, "gravity": 1.0}
 
 
 def parameters(rng, **fixed):
-    """A random mass, length and gravity."""
+    """Return a random mass, length and gravity."""
     random = {"mass": 10 ** rng.uniform(-1, 1), "length": 10 ** rng.uniform(-0.5, 0.8), "gravity": rng.uniform(2, 25)}
     return {**random, **fixed}
 
 
 def states(rng):
-    """Consistent states, moving and at rest, with gravity and without; of exact zeros at plain places."""
+    """Yield consistent states, moving and at rest, with gravity and without; with exact zeros at named places."""
     for label in ["a random state"] * 3 + ["a particle at rest"] * 2 + ["no gravity"] * 2:
         pendulum = parameters(rng, **({"gravity": 0.0} if label == "no gravity" else {}))
         omega = rng.uniform(1, 5) * rng.choice([-1, 1]) * (label != "a particle at rest")
@@ -34,7 +34,7 @@ def states(rng):
 
 
 def off_circle(rng):
-    """States that are not consistent, random and on an axis, on the circle and just off it; at 1e-8 of the origin."""
+    """Return inconsistent states, random and on an axis, on the circle and just off it; 5e-9 m from the origin."""
     states = [(rng.normal(size=4) * rng.uniform(0.5, 4), 10 ** rng.uniform(-0.5, 0.8)) for _ in range(3)]
     state, length = states[0]
     places = *PLACES.values(), (0.6, -0.8)
@@ -43,7 +43,7 @@ def off_circle(rng):
     for i in range(12):
         position, velocity = np.array(places[i % 5]), np.array(velocities[i % 6])
         states.append((np.append(position * distances[i % 4], velocity * math.hypot(*state[2:])), length))
-    # np.allclose takes them for zero
+    # np.allclose takes these positions for zero
     states += [((*position, *state[2:]), 0.5) for position in ((3e-9, -4e-9), (0.0, 5e-9))]
     states += [(numbers, 1.0) for numbers in ((1.0, 0.0, 0.0, 1.0), (3.0, 4.0, 0.0, 0.0), (-3.0, 4.0, -3.0, 4.0))]
     return [Case(np.array(state), length=length).labelled(_where(state, length)) for state, length in states]
@@ -56,7 +56,7 @@ def _where(state, length):
 
 
 def origin(rng):
-    """What is allowed first."""
+    """Return an allowed case, then one at the origin."""
     allowed, state = Case(np.array([0.0, -2.0, 1.0, 1.0]), length=1.0), np.append([0.0, 0.0], rng.normal(size=2))
     return [allowed, Case(state, length=rng.uniform(0.5, 2)).labelled("a particle at the origin")]
 
@@ -69,17 +69,17 @@ def pace(pendulum):
 
 
 def motion(rng, label, turns, count, angle, rate, **fixed):
-    """A motion of so many turns at uneven times, from an angle and a rate in sqrt(g/l) or 1/s."""
+    """Return a motion of some turns at uneven times, from an angle and a rate in sqrt(g/l) or 1/s."""
     pendulum = parameters(rng, **fixed)
     span = turns * 2 * math.pi / pace(pendulum)
     t = uneven(rng, span, count, span * rng.uniform(0.2, 0.8))
     state = on_circle(angle, rate * pace(pendulum), pendulum["length"])
-    state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # sin pi and cos pi/2
+    state[np.abs(state) < 1e-15 * np.abs(state).max()] = 0.0  # rounding errors of sin pi and cos pi/2
     return Case(t, state, **pendulum).labelled(label)
 
 
 def with_gravity(rng):
-    """A swing, with one thing changed at a time; from exact places and next to the top, before t = 0, too."""
+    """Return a swing, and one change at a time; motions from exact places and next to the top, also before t = 0."""
     angle, rate = rng.uniform((0.8, 0.2), (2.2, 0.6)) * rng.choice([-1, 1], 2)
     swings = motion(rng, "a particle that swings", 1.2, 6, angle, rate)
     level = swings.kwargs["length"] * np.array([math.copysign(1.0, -angle), 0.0, 0.0, 0.0])
@@ -87,23 +87,23 @@ def with_gravity(rng):
     return [
         swings,
         *repeated_calls(rng, swings, start=(level,), length=None),
-        top.replace(top.args[0] - 2 * top.args[0][-1]),  # once round in 0.06 s or more
-        # it falls by e^5 times that, as an error does
+        top.replace(top.args[0] - 2 * top.args[0][-1]),  # a turn takes 0.06 s or more
+        # the angle from the top grows by e^5, as an error does
         motion(rng, "a particle let go at rest, close to the top, at two times", 0.7, 2, math.pi - 1e-3, 0.0),
     ]
 
 
 def without_gravity(rng):
-    rate = -rng.uniform(1, 4)  # clockwise, as a speed without a sign is not; from below to above
+    rate = -rng.uniform(1, 4)  # clockwise, so that its sign matters; from below the hinge to above
     turns = motion(rng, "no gravity", -0.37 / rate, 12, rng.uniform(-1.0, 0.2), rate, gravity=0.0)
     still = motion(rng, "a particle at rest, no gravity, at two times", 0.5, 2, 1.0, 0.0, gravity=0.0)
     return [turns, still]
 
 
 def long(rng):
-    """Some five swings in 100 s, below the hinge; a motion of small angles is behind by a third of one in the end.
+    """Return a motion of 100 s, some five swings below the hinge; a linear one lags by a third of a swing at the end.
 
-    Where g y > v^2, beside and above it, errors of the steps grow if the force is m (v^2 - g y)/l^2 by the given l.
+    Where g y > v^2, beside and above the hinge, errors of the steps grow if the force is m (v^2 - g y)/l^2, l as given.
     """
     angle, rate = rng.uniform((1.1, 0.2), (1.4, 0.4)) * rng.choice([-1, 1], 2)
     case = motion(rng, "a motion of 100 s", 1, 2, angle, rate, gravity=rng.uniform(0.5, 0.7), length=rng.uniform(6, 8))

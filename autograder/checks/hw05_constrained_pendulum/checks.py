@@ -10,29 +10,29 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, compare_invaria
 
 from . import cases, reference
 
-FORMULA = 1e-9  # a few roundings make 1e-15, a linear system 1e-14
-FOLLOWED = 1e-4  # solve_ivp at rtol = atol = 1e-9 is off by 3e-8 (LSODA) and less in a swing
-# of m g l: in the 100 s the same solvers lose 2e-6 of it at most (BDF, where the force takes the given l for the
-# distance from the hinge, whatever that has become between the rows)
+FORMULA = 1e-9  # a few rounding errors make 1e-15, a linear system 1e-14
+FOLLOWED = 1e-4  # solve_ivp at rtol = atol = 1e-9 has an error of 3e-8 (LSODA) or less in a swing
+# of m g l: in the 100 s the same solvers lose 2e-6 of it at most (BDF, if the force uses the given l for the distance
+# from the hinge, which has changed between the rows)
 ENERGY = 5e-5
-CONSTRAINT = 1e-9  # of the contract: any step back onto the circle makes 1e-15, and 1e-12 between steps
-ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # most of the points are the constraint's
-TOP = 1e-6  # an angle of pi, which is rounded, falls by 1e-16 exp(20) = 6e-8
-COARSELY = 0.05  # of the scale: in 100 s a loose tolerance shifts the phase, wrong equations make 0.9 and more
-ROUNDED = 1e-12  # what a step back onto the circle leaves
+CONSTRAINT = 1e-9  # from the contract; a projection onto the circle leaves 1e-15, and 1e-12 between steps
+ENERGY_SHARES = {1e-3: 0.9, np.inf: 0.8}  # {loss: share of the points}; most points are for the constraint
+TOP = 1e-6  # the rounding error of an angle of pi grows to 1e-16 exp(20) = 6e-8
+COARSELY = 0.05  # of the scale: in 100 s a loose tolerance shifts the phase; wrong equations make 0.9 and more
+ROUNDED = 1e-12  # a projection onto the circle leaves less
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=FOLLOWED)
 
 
 def pull(case, _=None):
-    """The size of an acceleration, m/s^2."""
+    """Return the scale of an acceleration, m/s^2."""
     v, parameters = case.args[-1][2:], case.kwargs
     return v @ v / parameters["length"] + parameters["gravity"] or 1.0
 
 
 def heat(case, _):
-    """The size of an energy, J."""
+    """Return the scale of an energy, J."""
     (x, y, vx, vy), parameters = case.args[0], case.kwargs
     return parameters["mass"] * ((vx**2 + vy**2) + parameters["gravity"] * np.hypot(x, y)) or 1.0
 
@@ -134,7 +134,7 @@ def it_stays_on_the_circle(student, rng):
 
 
 def drift(off, out):
-    """What leaves the circle, and what nothing takes back."""
+    """Return the name of the constraint that is violated, and a hint."""
     constraint, hint = "x^2 + y^2 = l^2 or r . v = 0", LEAVES
     if np.abs(off).max() <= ROUNDED:
         constraint, hint = "r . v = 0", "The place is put back: is the velocity made tangent?"

@@ -6,7 +6,7 @@ from . import reference
 
 
 def figure(theta=0.8, omega=0.6, length=1.0):
-    """A consistent state of this angle and rate."""
+    """Draw a consistent state of this angle and rate."""
     state = reference.on_circle(theta, omega, length)
     position, velocity = state[:2], state[2:]
     shown = Figure(

@@ -1,4 +1,4 @@
-"""What is right in hw05: acceleration and constraint force from one linear system, motions from the angle."""
+"""Reference functions of hw05: acceleration and constraint force from one linear system, motions from the angle."""
 
 import math
 
@@ -9,13 +9,13 @@ from tam570_grader.checks.diagrams import CENTRIFUGAL, INERTIAL, NEGLIGIBLE, For
 
 
 def on_circle(theta, omega, length):
-    """The state (..., 4) at an angle from straight down."""
+    """Return the state (..., 4) at an angle from straight down."""
     s, c, speed = np.sin(theta), np.cos(theta), length * np.asarray(omega)
     return np.stack([length * s, -length * c, speed * c, speed * s], axis=-1)
 
 
 def together(state, mass, length, gravity):
-    """Acceleration and constraint force: m a - N r = (0, -m g), r . a = -v . v."""
+    """Return acceleration and constraint force, from m a - N r = (0, -m g) and r . a = -v . v."""
     r, v = state[:2], state[2:]
     matrix = np.block([[mass * np.eye(2), -r[:, None]], [r, np.zeros(1)]])
     *a, pull = np.linalg.solve(matrix, [0.0, -mass * gravity, -v @ v])
@@ -31,7 +31,7 @@ def constraint_force(state, **parameters):
 
 
 def angle_and_rate(state, length):
-    """The angle from straight down, and its rate on the circle, of what of the velocity is across the radius."""
+    """Return the angle from straight down, and its rate on the circle, from the velocity across the radius."""
     x, y, vx, vy = state
     return math.atan2(x, -y), (x * vy - y * vx) / (math.hypot(x, y) * length)
 
@@ -51,7 +51,7 @@ def wireframe(state, length):
 
 
 def simulate(t, state, mass, length, gravity):
-    """(n, 4) states at the times t, by the angle from straight down."""
+    """Return (n, 4) states at the times t, by the angle from straight down."""
 
     def rates(_, angle):
         return angle[1], -gravity / length * math.sin(angle[0])
@@ -61,12 +61,12 @@ def simulate(t, state, mass, length, gravity):
 
 
 def energies(rows, mass, length, gravity):
-    """Energy along a motion, over m g l, or m l^2/s^2 without gravity."""
+    """Return the energy along a motion, over m g l, or m l^2/s^2 without gravity."""
     return energy(rows.T, 1.0, gravity) / ((gravity or 1.0) * length)
 
 
 def free_body_diagram(state, mass, length, gravity):
-    """Of the particle."""
+    """Return the particle and its forces."""
     point, velocity = np.split(np.asarray(state, float), 2)
     tension = np.linalg.norm(constraint_force(state, mass=mass, length=length, gravity=gravity))
     strains = tension > NEGLIGIBLE * mass * (gravity + velocity @ velocity / length)

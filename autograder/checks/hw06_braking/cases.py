@@ -20,7 +20,7 @@ ODD_CARS = {
     "gravity 0": NO_GRAVITY,
     "friction above 1": {"friction": 1.6},
 }
-# ways to move: (speed, yaw rate) in the car's usual ones
+# ranges of speed and yaw rate, in units of the car's usual ones
 FORWARDS, REVERSE, TURNING, LITTLE, NONE = (0.3, 2), (-2, -0.3), (0.3, 2), (0.2, 0.5), (0, 0)
 BRAKING = (1, 2), LITTLE
 TURN, REST = "a car that goes forwards and turns", "a car at rest"
@@ -36,7 +36,7 @@ MOVING = [label for label in WAYS if label != REST]
 
 
 def car(rng, **fixed):
-    """yaw_inertia is drawn as a share of mass front rear."""
+    """Return a random car, with yaw_inertia as a share of mass front rear."""
     mass = 10 ** rng.uniform(0.5, 3.3)
     car = {name: rng.uniform(*limits) for name, limits in LIMITS.items()} | fixed
     car["yaw_inertia"] *= mass * car["front"] * car["rear"]
@@ -44,29 +44,29 @@ def car(rng, **fixed):
 
 
 def drag(car):
-    """The deceleration by friction, m/s^2, and some where there is none."""
+    """Return the deceleration by friction, m/s^2, at least 0.2."""
     return max(car["friction"] * car["gravity"], 0.2)
 
 
 def usual(car):
-    """Size of speeds, m/s: friction stops it within about a wheelbase."""
+    """Return the scale of speeds, m/s: friction stops the car within about a wheelbase."""
     return math.sqrt(drag(car) * wheelbase(car))
 
 
 def speed_of(case):
-    """Of its speed and its turning, m/s."""
+    """Return the size of the speed and the turning of a case together, m/s."""
     *_, state, _ = case.args
     return abs(state[3]) + abs(state[4]) * wheelbase(case.kwargs)
 
 
 def state(rng, car, speed, yaw):
-    """Anywhere, a heading not within a turn of zero; speed and yaw, either way, in the car's usual ones."""
-    heading = rng.choice([rng.uniform(-10, -3.3), rng.uniform(6.5, 10)])  # wrapped, it is another
+    """Return a state anywhere, heading outside -pi to 2 pi; speed and yaw rate are in the car's usual ones."""
+    heading = rng.choice([rng.uniform(-10, -3.3), rng.uniform(6.5, 10)])  # wrapping changes it
     rates = rng.uniform(*speed) * usual(car), rng.choice([-1, 1]) * rng.uniform(*yaw) * usual(car) / wheelbase(car)
     return np.array([*rng.uniform(-5, 5, 2), heading, *rates])
 
 
-# Cases of functions of a state, for all of them: (state, locked, **car)
+# Cases (state, locked, **car), for all functions of a state
 
 
 def with_car(label, car, locked, *first):
@@ -79,14 +79,14 @@ def moving(rng, label, locked, way, **fixed):
 
 
 def ways(*labels, count=1, **fixed):
-    """States that move in these ways, of cars with either axle locked."""
+    """Return a function for states that move in these ways, of cars with either axle locked."""
     return lambda rng: [
         moving(rng, label, locked, WAYS[label], **fixed) for label in labels for locked in AXLES * count
     ]
 
 
 def odd_cars(rng):
-    """Each odd car as it turns, with one axle locked, and moving otherwise or at rest, with the other."""
+    """Yield each odd car in a turn, with one axle locked, and moving otherwise or at rest, with the other."""
     others = itertools.cycle([label for label in WAYS if label != TURN and "reverse" not in label])
     for (odd, fixed), label, axles in zip(
         ODD_CARS.items(), others, itertools.cycle((AXLES, AXLES[::-1])), strict=False
@@ -97,7 +97,7 @@ def odd_cars(rng):
 
 
 def headings(rng):
-    """Along the axes and beyond a turn, with G at the origin."""
+    """Yield headings along the axes and beyond a turn, with G at the origin."""
     cases = itertools.cycle(ways(TURN, "straight motion in reverse")(rng))
     for heading, case in zip((0.0, math.pi, -math.pi / 2, 9.0), cases, strict=False):
         state = np.array([0, 0, heading, *case.args[0][3:]])
@@ -105,12 +105,12 @@ def headings(rng):
 
 
 def all_states(rng):
-    """Every way to move, odd cars, every heading."""
+    """Return every way to move, odd cars, special headings."""
     return [*ways(*WAYS)(rng), *odd_cars(rng), *headings(rng)]
 
 
 def creeping(label, *speeds):
-    """The locked axle moves at these speeds, m/s, any way."""
+    """Return a function for states in which the locked axle moves at these speeds, m/s, in any direction."""
 
     def case(rng, locked, speed):
         random, way = car(rng), rng.uniform(-3, 3)
@@ -121,11 +121,11 @@ def creeping(label, *speeds):
 
 
 slow = creeping("a locked axle at 1 mm/s or less", 1e-6, 3e-5, 1e-3)
-hardly_moving = creeping("speed and yaw rate below 1e-8, which are not zero", 5e-9)  # np.allclose takes them for zero
+hardly_moving = creeping("speed and yaw rate below 1e-8, which are not zero", 5e-9)  # np.allclose takes these for zero
 
 
 def timed(*draws):
-    """The same with a time before the state."""
+    """Return a function for the same cases with a time before the state."""
     return lambda rng: [
         case.with_leading(float(t)) for t, case in enumerate(itertools.chain(*(cases(rng) for cases in draws)))
     ]
@@ -135,19 +135,19 @@ def timed(*draws):
 
 
 def parked(rng):
-    """(locked, **car): random cars, and odd ones."""
+    """Return (locked, **car) of random cars and odd ones."""
     cars = [("a random car", car(rng)) for _ in range(2)]
     cars += [(label, car(rng, **fixed)) for label, fixed in ODD_CARS.items()]
     return [with_car(label, random, locked) for label, random in cars for locked in AXLES]
 
 
 def at_speeds(rng):
-    """(speed, locked, **car): low and high speeds."""
+    """Return (speed, locked, **car) with low and high speeds."""
     return [case.with_leading(rng.uniform(0.3, 3) * usual(case.kwargs)) for case in parked(rng)]
 
 
 def slowing(rng):
-    """(speed, speed0, yaw_rate0, locked, **car): any speeds, and speeds that have not fallen yet, no yaw rate."""
+    """Yield (speed, speed0, yaw_rate0, locked, **car): any speeds, also not reduced yet, and no yaw rate."""
     special = itertools.cycle([(1.0, 1.0, 0.3), (1.0, 0.4, 0.0), (1.0, 1.0, 0.0), (0.8, 0.625, 1.0)])
     for case in parked(rng):
         v, fall = usual(case.kwargs), rng.uniform(0.1, 0.7)
@@ -159,7 +159,7 @@ def slowing(rng):
 
 
 def of_mechanics(rng):
-    """(function, case) at rest, for another `locked` in the place of the last argument."""
+    """Return (function, case) at rest; the last argument of a case may be replaced by another `locked`."""
     case = moving(rng, REST, "front", WAYS[REST]).labelled(REST)
     return [
         ("axle_load", Case("front", **case.kwargs).labelled(REST)),
@@ -179,7 +179,7 @@ def of_stability(rng):
 
 
 def run(rng, label, locked, way, share, count, fixed=None):
-    """For this share of the time to the stop; without friction until it has gone so many wheelbases."""
+    """Return a motion for this share of the time to the stop; without friction, of the time for a wheelbase."""
     case = moving(rng, label, locked, way, **fixed or {})
     start, car = case.args[0], case.kwargs
     brakes = car["friction"] * car["gravity"]
@@ -191,12 +191,12 @@ def runs(*settings):
     return lambda rng: [run(rng, *setting) for setting in settings]
 
 
-# until before the speed passes zero; a rear axle that is locked swings round, and so backwards
+# until before the speed passes zero; with a locked rear axle the car swings round, and so goes backwards
 braking = runs(("braking", "front", BRAKING, 0.6, 20), ("braking in reverse", "rear", ((-2, -1), LITTLE), 0.6, 4))
 
 
 def few_times(rng):
-    """Few times, turning on the spot, what is kept between calls."""
+    """Return a motion at few times, and changed calls, one of which turns on the spot."""
     first = run(rng, "friction above 1", "rear", BRAKING, 0.2, 4, {"friction": rng.uniform(1.2, 2)})
     spot = state(rng, first.kwargs, NONE, (1.5, 3))  # it does not stop before the last time
     return [first, *repeated_calls(rng, first, start=(spot, "front"), mass=None, front=None, rear=None)]
@@ -210,7 +210,7 @@ def at_rest(rng):
     return [moving(rng, REST, "rear", WAYS[REST]).with_leading(uneven(rng, 3.0, 4))]
 
 
-stops = runs(  # and go on beyond
+stops = runs(  # the times go on beyond the stop
     ("a car that stops", "front", ((0.7, 1.5), (0.2, 0.6)), 2.1, 20),
     (
         "a car that stops, spinning on ice",

@@ -13,24 +13,24 @@ from tam570_grader.checks.trajectory import OwnRates, compare_trajectory
 from . import cases, reference
 from .reference import wheelbase
 
-FORMULA = 1e-9  # of the largest term: roundings make 1e-15, solving for the side force 1e-13; wrong terms .1
-GROWTH = 1e-6  # central differences are good to 1e-9, and an integral of them by rtol 1e-9; wrong terms are off by .1
-FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 8e-8 well before the stop
-SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still right, a deadband off by 1
-STOPPED = 5e-5  # of the way that friction needs: from AT_REST to the stop it is the square, up to 1e-5
-SOME = 0.999  # a guard against 0/0 may take any part of a friction at 1e-8 m/s, but not all of it
-AT_REST = 100 * STOPPED  # of the first speed: a student may call it rest below 1e-3 m/s, and cars start from 0.4 m/s
+FORMULA = 1e-9  # of the largest term: rounding errors are 1e-15, solving for the side force 1e-13; wrong terms .1
+GROWTH = 1e-6  # central differences have errors of 1e-9, as their integral at rtol 1e-9; wrong terms .1
+FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, with any method, has errors below 8e-8 well before the stop
+SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still right; the error of a deadband is 1
+STOPPED = 5e-5  # of the braking distance; from AT_REST to the stop the share is the square, up to 1e-5
+SOME = 0.999  # a guard against 0/0 may remove any part of the friction at 1e-8 m/s, but not all of it
+AT_REST = 100 * STOPPED  # of the first speed: students may treat 1e-3 m/s as rest, and cars start from 0.4 m/s
 
 compare = compare_with(reference, tolerance=FORMULA)
 
 
 def pace(case, _=None):
-    """The size of the velocities, m/s."""
+    """Return the scale of the velocities, m/s."""
     return cases.usual(case.kwargs) + cases.speed_of(case)
 
 
 def turning(case, _):
-    """The size of yaw accelerations."""
+    """Return the scale of yaw accelerations, rad/s^2."""
     car = case.kwargs
     return reference.ease_of_turning(case.args[-1], **car) * (pace(case) / wheelbase(car)) ** 2
 
@@ -50,18 +50,18 @@ RATES = (
 
 
 def way(case, _=None):
-    """The way that friction needs."""
+    """Return the distance in which friction stops the car, m."""
     return cases.speed_of(case) ** 2 / cases.drag(case.kwargs)
 
 
 def gone(case, _=None):
-    """The way that a slow car goes."""
+    """Return the distance that a slow car moves, m."""
     t, drag = case.args[0], case.kwargs["friction"] * case.kwargs["gravity"]
     return way(case) if drag else (t[-1] - t[0]) * cases.speed_of(case)
 
 
 def columns(far, off=1.0):
-    """The columns of a motion: how far it goes, and how much more a speed may be off."""
+    """Return the columns of a motion, with the scale of its distance and a factor on the scale of its speeds."""
     return (
         Column("the place", "m", [0, 1], scale=far),
         Column("the heading", "rad", [2], True, lambda case, _: min(far(case) / wheelbase(case.kwargs), 1.0)),
@@ -96,7 +96,7 @@ def where_zero(case, result, expected):
 
 
 def of_rate(case, rate, expected):
-    """Which of the two terms of a growth rate is there."""
+    """Return which of the two terms of a growth rate is missing."""
     gliding = reference.yaw_growth_rate(*case.args, **{**case.kwargs, "friction": 0.0})
     if abs(rate - gliding) <= GROWTH * of_growth(case, None):
         return "The term of friction is missing: its sideways part grows with the yaw rate."
@@ -131,7 +131,7 @@ def of_rates(case, result, expected):
 
 
 def of_run(motion):
-    """What to say of a motion that ends early, goes straight on, or does not stay where it stops."""
+    """Return a hint for a motion that ends early, goes straight on, or does not stay where it stops."""
     result, expected = motion.actual, motion.expected
     rests = ~expected[:, 3:].any(axis=1)
     after = result[rests]
@@ -154,7 +154,7 @@ def of_run(motion):
 compare_motions = compare_with(reference, by=compare_trajectory, hint=of_run)
 compare_rates = compare_with(reference, tolerance=FORMULA, hint=of_rates)
 HARDLY = {"tolerance": SOME, "near_miss_credit": False}
-EACH_BY_ITSELF = [Column(column.quantity, column.unit, column.where) for column in RATES[2:]]  # each by its own size
+EACH_BY_ITSELF = [Column(column.quantity, column.unit, column.where) for column in RATES[2:]]  # each has its own scale
 
 
 @check("axle_load", points=0.75)
@@ -242,7 +242,7 @@ def small_yaw_rate_is_the_linear_solution(student, rng):
 
 
 def judge_refusals(student, calls):
-    """ValueError for another `locked`, from functions that take "front" and "rear"."""
+    """Fail unless functions that take "front" and "rear" raise ValueError for another `locked`."""
     for name, call in calls:
         function, batch = getattr(student, name), Batch.of(getattr(reference, name), [call])
         allowed = batch.cases[0]
@@ -253,7 +253,7 @@ def judge_refusals(student, calls):
 
 
 def is_refused(function, case):
-    """Whether a function raises ValueError; what else it raises, its own checks judge."""
+    """Return whether a function raises ValueError; its own checks judge other exceptions."""
     try:
         return any(refused for _, refused in function.refusals([case]))
     except Failed:
@@ -261,7 +261,7 @@ def is_refused(function, case):
 
 
 def with_other_axles(case):
-    """The same case with what is no axle."""
+    """Return the case with each value of `locked` that is no axle."""
     others = [(locked, case.replace(*case.args[:-1], locked)) for locked in cases.OTHERS]
     return [other.labelled(f"locked={locked!r}, {case.label}") for locked, other in others]
 
@@ -280,7 +280,7 @@ def stability_refuses_other_axles(student, rng):
     judge_refusals(student, cases.of_stability(rng))
 
 
-# Last: a student whose integrator never gets past the stop shall lose nothing else by it.
+# This check is last, so that a student whose integrator never gets past the stop loses nothing else.
 
 
 @check("simulate", points=0.75, after=simulate_brakes)

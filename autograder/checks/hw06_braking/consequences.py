@@ -1,15 +1,15 @@
-"""Right functions of hw06 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw06 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import math
 
 import numpy as np
 
-STEP = 1e-3  # of the speed over the wheelbase, between the yaw rates of a difference
+STEP = 1e-3  # of the speed over the wheelbase: difference of two yaw rates
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(24)
 
 
 def friction_force(state, locked, *, friction, **car):
-    """Against the velocity of the locked axle: that of G, and what the yaw_rate adds beside G."""
+    """Oppose the velocity of the locked axle: that of G, and what the yaw_rate adds beside G."""
     ahead, free = (car["front"], -car["rear"]) if locked == "front" else (-car["rear"], car["front"])
     _, _, _, speed, yaw_rate = state
     sideways_of_G = -free * yaw_rate
@@ -18,14 +18,14 @@ def friction_force(state, locked, *, friction, **car):
 
 
 def yaw_growth_rate(speed, locked, **car):
-    """The yaw acceleration, odd in the yaw rate, differenced to fourth order."""
+    """Difference the yaw acceleration, odd in the yaw rate, to fourth order."""
     step = STEP * speed / (car["front"] + car["rear"])
     single, twice = (state_derivative(0.0, np.array([0, 0, 0, speed, k * step]), locked, **car)[4] for k in (1, 2))
     return (8 * single - twice) / (6 * step)
 
 
 def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
-    """The logarithm changes by the integral of growth over deceleration; Gauss-Legendre in the speed's logarithm."""
+    """Integrate growth over deceleration, by which the logarithm changes; Gauss-Legendre in the speed's logarithm."""
     half = math.log(speed / speed0) / 2
     geometry = {name: car[name] for name in ("mass", "front", "rear", "gravity")}
     slowing = -car["friction"] * axle_load(locked, **geometry) / car["mass"]

@@ -13,7 +13,7 @@ HALF_TRACK, WHEEL = 0.75, 0.55  # m, of the drawn car
 
 
 def figure(heading=0.55, front=1.5, rear=1.1):
-    """The car with G at (2.6, 1.5)."""
+    """Draw the car with G at (2.6, 1.5)."""
     G = 2.6 + 1.5j
 
     def at(ahead, leftwards=0.0):

@@ -1,6 +1,6 @@
-"""What is right in hw06, in the car's axes, with the free axle's side force as an unknown.
+"""Reference functions of hw06, in the car's axes, with the free axle's side force as an unknown.
 
-A velocity or force is forward and left; axles are at distances forward of G.
+A velocity or force has the components (forward, left); the position of an axle is its distance forward of G.
 """
 
 import cmath
@@ -15,7 +15,7 @@ from tam570_grader.checks.diagrams import Force, FreeBody, NotAForce
 
 
 def axles(locked, front, rear):
-    """Positions of the free and of the dragging axle."""
+    """Return the positions of the free and of the dragging axle."""
     return (-rear, front) if locked == "front" else (front, -rear)
 
 
@@ -24,13 +24,13 @@ def wheelbase(car):
 
 
 def axle_load(locked, *, mass, front, rear, gravity):
-    """By the moments of the weight and of this load about the other axle."""
+    """Balance the moments of the weight and of this load about the other axle."""
     free, dragging = axles(locked, front, rear)
     return mass * gravity * (0 - free) / (dragging - free)
 
 
 def velocity_of(point, state, locked, front, rear):
-    """Of a point of the centreline, forward and left: the free axle has none to the left."""
+    """Return the velocity of a point of the centreline, forward and left; that of the free axle has no left part."""
     return state[3], (point - axles(locked, front, rear)[0]) * state[4]
 
 
@@ -42,11 +42,11 @@ def friction_force(state, locked, *, mass, front, rear, friction, gravity):
 
 
 def state_derivative(t, state, locked, *, yaw_inertia, **car):
-    """F = m a and moments about G; the side force keeps the free axle from slipping."""
+    """Use F = m a and moments about G; the side force keeps the free axle from slipping."""
     mass, (free, dragging) = car["mass"], axles(locked, car["front"], car["rear"])
     heading, (forward, left), yaw_rate = state[2], velocity_of(0.0, state, locked, car["front"], car["rear"]), state[4]
     along, aside = friction_force(state, locked, **car)
-    # the sideways acceleration of the free axle is zero; what it lacks without the side force
+    # without the side force, the free axle lacks this much sideways acceleration to have none
     lacking = yaw_rate * forward - aside / mass - free * dragging * aside / yaw_inertia
     side = lacking / (1 / mass + free**2 / yaw_inertia)
     slowing, turning = along / mass + yaw_rate * left, (dragging * aside + free * side) / yaw_inertia
@@ -59,16 +59,16 @@ def kinetic_energy(state, locked, *, mass, yaw_inertia, front, rear):
 
 
 def ease_of_turning(locked, *, mass, yaw_inertia, front, rear, **_):
-    """m wheelbase^2 over the inertia about the free axle, which may be less."""
+    """Return m wheelbase^2 over the inertia about the free axle, which may be less."""
     return mass * (front + rear) ** 2 / (yaw_inertia + mass * axles(locked, front, rear)[0] ** 2)
 
 
 def stopped(start, locked, car):
-    """Time of the stop since the start, and the state there, both to 1e-7.
+    """Return the time from the start to the stop, and the state there, both to 1e-7.
 
-    In a time that runs as fast as the car slides, d tau = sliding dt, nothing is singular. The inertia about the
-    free axle is below mass wheelbase^2 (as G is between the axles, and by the draw of yaw_inertia), the energy
-    so below mass sliding^2/2, and friction takes at least 2 friction load/mass of it for each unit of tau.
+    With a time that runs as fast as the car slides, d tau = sliding dt, nothing is singular. The inertia about the
+    free axle is below mass wheelbase^2 (as G is between the axles, and by the cases' choice of yaw_inertia), so the
+    energy is below mass sliding^2/2, and friction takes at least 2 friction load/mass of it for each unit of tau.
     """
     free, dragging = axles(locked, car["front"], car["rear"])
 
@@ -82,11 +82,11 @@ def stopped(start, locked, car):
 
 
 def simulate(t, start, locked, **car):
-    """(n, 5) states at the times t; from the stop on it rests."""
+    """Return (n, 5) states at the times t; from the stop on, the car is at rest."""
     latest, end = stopped(start, locked, car) if car["friction"] * car["gravity"] else (math.inf, start)
     states = np.tile(end, (len(t), 1))
     states[0] = start
-    moves = t - t[0] < latest * (1 - 1e-4)  # in the rest of the time it goes 1e-8 of its way
+    moves = t - t[0] < latest * (1 - 1e-4)  # in the rest of the time it moves by 1e-8 of its way
     if moves[1:].any():
         rates = partial(state_derivative, locked=locked, **car)
         states[moves] = solve(rates, t[moves], start, rtol=1e-11, method="python")
@@ -94,7 +94,7 @@ def simulate(t, start, locked, **car):
 
 
 def yaw_growth_rate(speed, locked, **car):
-    """The yaw acceleration, odd in the yaw rate, differenced to fourth order."""
+    """Difference the yaw acceleration, which is odd in the yaw rate, to fourth order."""
     step = 1e-3 * speed / wheelbase(car)
     single, twice = (state_derivative(0, [0, 0, 0, speed, k * step], locked, **car)[4] for k in (1, 2))
     return (8 * single - twice) / (6 * step)
@@ -105,7 +105,7 @@ def critical_speed(locked, *, front, rear, friction, gravity):
 
 
 def small_yaw_rate(speed, speed0, yaw_rate0, locked, **car):
-    """ln r changes by the integral of growth/u' over the speed; Gauss-Legendre in ln u, for which NumPy suffices."""
+    """Integrate growth/u' over the speed, by which ln r changes: Gauss-Legendre in ln u, for which NumPy suffices."""
     nodes, weights = np.polynomial.legendre.leggauss(24)
     half = math.log(speed / speed0) / 2
     slowing = state_derivative(0, [0, 0, 0, speed0, 0], locked, **car)[3]
@@ -121,13 +121,13 @@ SIDE_FORCE_OF_THE_LOCKED = "You drew a side force at the locked axle. It slides:
 
 
 def free_body_diagram(state, locked, mass, front, rear, friction, gravity, drag=None):
-    """Of the car from above; with another drag than the right one, forward and left."""
+    """Return the car from above and its forces; `drag` (forward, left) replaces the right one."""
     x, y, heading, speed, yaw_rate = map(float, state)
     G, forward = complex(x, y), cmath.exp(1j * heading)
     free, locked_axle = (G + at * forward for at in axles(locked, front, rear))
     slide = complex(*velocity_of(axles(locked, front, rear)[1], state, locked, front, rear)) if drag is None else -drag
     drags = friction * gravity != 0 and slide != 0
-    # straight on nothing turns the car; on the spot and without drag the free axle does not accelerate
+    # straight ahead nothing turns the car; on the spot and without drag the free axle does not accelerate
     turns = yaw_rate != 0 and (speed != 0 or drags)
     at_locked, at_free, against, side, along, car, corner, other = (
         [z.real, z.imag]

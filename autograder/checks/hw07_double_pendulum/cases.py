@@ -1,4 +1,4 @@
-"""Hidden inputs of hw07: random pendulums, and plain ones that tell what random ones do not."""
+"""Hidden inputs of hw07: random pendulums, and plain ones for mistakes that random ones do not show."""
 
 import math
 
@@ -12,19 +12,19 @@ UNIT = {"masses": np.ones(2), "lengths": np.ones(2), "gravity": 1.0}
 
 
 def pendulum(rng, **fixed):
-    """Random masses, lengths and gravity; unequal, and not of size one."""
+    """Return random masses, lengths and gravity; unequal, and not of size one."""
     masses, lengths = 10 ** rng.uniform(-0.5, 0.7, 2), 10 ** rng.uniform(-0.4, 0.4, 2)
     return {"masses": masses, "lengths": lengths, "gravity": rng.uniform(1.5, 25.0), **fixed}
 
 
 def thrown(rng, count, label=ANY, **fixed):
-    """Any angles and rates."""
+    """Return random angles and rates."""
     rates = [rng.uniform(0.5, 5, 2) * rng.choice([-1, 1], 2) for _ in range(count)]
     return [Case(rng.uniform(-5, 5, 2), rate, **pendulum(rng, **fixed)).labelled(label) for rate in rates]
 
 
 def states(rng):
-    """And others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
+    """Return random states, and others like the first: exact angles and rates, equal bars, unit bars, no gravity."""
     random = thrown(rng, 3)
     plain = [*_places(random[0]), *_alike(random[0]), *_rates(random[0])]
     weightless = [case.replace(gravity=0.0).labelled(f"{case.label}, no gravity") for case in (random[1], plain[0])]
@@ -64,37 +64,37 @@ def _rates(case):
 
 
 def free_bars(rng):
-    """(bar, theta), bar 1 and bar 2."""
+    """Return (bar, theta) for bar 1 and bar 2."""
     cases = thrown(rng, 3)
     cases += [*_places(cases[0]), cases[1].replace(gravity=0.0).labelled(f"{ANY}, no gravity")]
     return [case.with_leading(bar) for case in cases for bar in (1, 2)]
 
 
 def nearly_massless(rng):
-    """One bar of a mass 1e-9 of the other's."""
+    """Yield pendulums in which one bar has 1e-9 of the other's mass."""
     for name, ratio in (("lower", [1.0, 1e-9]), ("upper", [1e-9, 1.0])):
         for heavy in rng.uniform(0.5, 4, 2):
             yield from thrown(rng, 1, f"a nearly massless {name} bar", masses=heavy * np.array(ratio))
 
 
 def straight_down(rng):
-    """Both bars straight down, at rest and moving: nothing accelerates."""
+    """Return both bars straight down, at rest and moving, where nothing accelerates."""
     (case,) = thrown(rng, 1)
     still, moves = case.replace(np.zeros(2), np.zeros(2)), case.replace(np.zeros(2))
     return [still.labelled("hanging at rest"), moves.labelled("hanging straight down, moving")]
 
 
 def special(rng):
-    """Equal bars, no gravity, a nearly massless bar, by name."""
+    """Return equal bars, no gravity, and a nearly massless bar, with labels."""
     (case,) = thrown(rng, 1)
     equal_bars = _alike(case)
     return [*equal_bars, equal_bars[2].replace(gravity=0.0).labelled("equal bars, no gravity"), *nearly_massless(rng)]
 
 
-# Motions: theta, omega over the usual rate of a motion from there, what is not random, times
+# Motions: {label: (theta, omega in units of the usual rate, fixed parameters, number of times)}
 STARTS = {
     "hanging at rest, two times": ((0.0, 0.0), (0.0, 0.0), {}, 2),
-    # more than half a turn from one time to another: angles unwrapped from row to row are off by whole turns
+    # more than half a turn between two times: angles unwrapped from row to row are wrong by whole turns
     "a fast start with th1 = th2, om1 = om2": ((0.3, 0.3), (4.5, 4.5), {}, 3),
     "a start with bar 1 straight down, all 1, two times": ((0.0, 1.0), (0.0, 1.0), UNIT, 2),
 }
@@ -105,9 +105,9 @@ def pace(pendulum):
 
 
 def motions(rng):
-    """A random start at uneven times, t[0] above zero; plain ones at two or three times; one thing changed in turn."""
+    """Yield a random start at uneven times, t[0] above zero; plain ones at two or three times; and changed calls."""
     bars, origin = pendulum(rng), rng.uniform(1.5, 2.5)
-    turns = 2 * math.pi * rng.permutation([1, -1])  # an angle beyond pi stays there
+    turns = 2 * math.pi * rng.permutation([1, -1])  # an angle beyond pi must not be wrapped
     t = uneven(rng, rng.uniform(3, 4) * pace(bars), 15, origin)
     start = rng.uniform(-2, 2, 2) + turns, rng.uniform(-1, 1, 2) / pace(bars)
     yield Case(t, *start, **bars).labelled("t[0] not 0")
@@ -127,7 +127,7 @@ def from_horizontal(rng):
 
 
 def weightless(rng):
-    """Moving, and at rest, without gravity."""
+    """Return a motion, and rest, without gravity."""
     (case,) = thrown(rng, 1, gravity=0.0)
     moves = case.with_leading(uneven(rng, 1.5, 12, 0.0)).labelled("a pendulum without gravity")
     still = moves.replace(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
@@ -135,7 +135,7 @@ def weightless(rng):
 
 
 def tip_path(rng):
-    """A call whose path goes to and fro, not from t = 0: a path from there has another end."""
+    """Return a call whose path goes to and fro, not from t = 0, from where the path has another end."""
     bars = pendulum(rng)
     theta, omega = rng.uniform(1, 2, 2) * rng.choice([-1, 1], 2), rng.uniform(-1, 1, 2) / pace(bars)
     t = (rng.choice([-1, 1]) * rng.uniform(1, 3) + np.linspace(0.0, 2.0, 134)) * pace(bars)

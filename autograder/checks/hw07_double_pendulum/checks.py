@@ -12,23 +12,23 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 from . import cases, reference
 from .equations import agree_in_equations
 
-FORMULA = 1e-8  # a few roundings make 1e-15, derivatives of energies by central differences 1e-9
-# Ten equations for unscaled unknowns, one bar 1e-9 of the other, are solved to 1e-14 by LU, to 6e-6 by least squares
-# or a pseudoinverse (the largest of 5000 draws); by the Schur complement of the constraints to 2e-6.
+FORMULA = 1e-8  # a few rounding errors make 1e-15, derivatives of energies by central differences 1e-9
+# If one bar has 1e-9 of the other's mass, the ten equations for unscaled unknowns are solved to 1e-14 by LU, to 6e-6 by
+# least squares or a pseudoinverse (the largest of 5000 draws), and to 2e-6 by the Schur complement of the constraints.
 MASSLESS = 5e-5
-FREQUENCY = 1e-6  # an eigenvalue of a matrix that is not symmetric, next to another: 1e-9
-FOLLOWED = 1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 are off by 1e-5 at most, sensitive starts included
+FREQUENCY = 1e-6  # an eigenvalue of an asymmetric matrix, next to another, has an error of 1e-9
+FOLLOWED = 1e-4  # RK45, DOP853 and LSODA at rtol 1e-9, atol 1e-9 have errors of 1e-5 at most, also for sensitive starts
 ENERGY = 1e-5  # of m g l; the same solvers lose 5e-8 of it in ten seconds, a symplectic method of fixed steps 1e-6
 SHARES = {1e-4: 0.75, 1e-3: 0.5, 1e-2: 0.25}
-ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, careful ones to 1e-4; wrong motions make .3
-DRAWN = 1e-3  # of the length; the path between 400 points bends by 2e-4 of it
+ROUGHLY = 0.02  # of the scale: in ten seconds errors grow a thousandfold, small ones to 1e-4; wrong motions make .3
+DRAWN = 1e-3  # of the length; chords between the 134 points deviate from the path by up to 6e-4 of it (30 draws)
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_conserved = compare_with(reference, by=check_conserved)
 
 
 def power_of_rate(n, mass=1, length=2):
-    """The scale m^mass l^length rate^n, the rate that of the angular velocities and sqrt(g/l)."""
+    """Return the scale m^mass l^length rate^n of a case, with the rate of the angular velocities and sqrt(g/l)."""
 
     def scale(case, _=None):
         omega, lengths = case.args[-1] if len(case.args) > 1 else np.zeros(2), case.kwargs["lengths"]
@@ -57,7 +57,7 @@ def forces_on_each_bar(student, rng):
 
 
 def of_accelerations(otherwise):
-    """Make a hint for alpha; what follows from the student's own wrong equations is told as such."""
+    """Return a hint for alpha: `otherwise`, unless it is zero without gravity."""
 
     def hint(case, alpha, _):
         if not np.any(alpha) and case.kwargs["gravity"] == 0:
@@ -77,7 +77,7 @@ def in_order(case, result, expected):
 
 
 def of_energy(case, energy, expected):
-    """Which of kinetic and potential energy is right."""
+    """Return which of kinetic and potential energy is right."""
     (theta, omega), near = case.args, FORMULA * MOMENT(case)
     potential = reference.energy(theta, 0 * omega, **case.kwargs)
     kinetic = expected - potential
@@ -128,7 +128,7 @@ def accelerations_with_a_nearly_massless_bar(student, rng):
 
 
 def the_unbalanced(case, result, expected):
-    """Name the one balance that does not hold, with the accelerations that the hinges give."""
+    """Return the name of the balance that does not hold, with the accelerations that the hinges give."""
     off = reference.unbalanced(*case.args, *result, **case.kwargs)
     (*wrong,) = np.flatnonzero(off > FORMULA * off.max())
     if len(wrong) > 1:
@@ -214,7 +214,7 @@ def wireframe_shows_the_bars(student, rng):
 
 @once
 def tip_path(rng):
-    """A case, with the paths of the elbow and of the tip."""
+    """Return a case, with the paths of the elbow and of the tip."""
     case = cases.tip_path(rng)
     motion = reference.simulate(*case.args, **case.kwargs)
     elbows, tips = np.swapaxes([reference.wireframe(row[:2], case.kwargs["lengths"])[:, 1] for row in motion], 0, 1)

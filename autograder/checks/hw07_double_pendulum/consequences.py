@@ -1,23 +1,23 @@
-"""Right functions of hw07 in terms of others, which a student's results follow where those are the student's own."""
+"""Right functions of hw07 in terms of others, as students write them; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
-SMALL = 1e-4  # rad, of the angles between which the moments of the weights grow in proportion
+SMALL = 1e-4  # rad; between these angles the moments of the weights grow in proportion
 
 
 def mass_matrix(theta, *, masses, lengths):
-    """Of the velocities of the mass centres, and of the bars about these."""
+    """Use the velocities of the mass centres, and of the bars about these."""
     (m1, m2), (first, second) = masses, _centres(theta, lengths)
     return m1 * first @ first.T + m2 * second @ second.T + np.diag(np.multiply(masses, np.square(lengths)) / 12)
 
 
 def gravity_terms(theta, *, masses, lengths, gravity):
-    """The weights along these velocities."""
+    """Project the weights on these velocities."""
     return gravity * np.tensordot(masses, _centres(theta, lengths)[:, :, 1], 1)
 
 
 def velocity_terms(theta, omega, *, masses, lengths):
-    """d/dt of [M]{omega} less the slopes of the kinetic energy, where both come from [M] alone."""
+    """Subtract the slopes of the kinetic energy from d/dt of [M]{omega}, where both come from [M] alone."""
     step, units = 1e-2, np.eye(2)
 
     def slope(k):
@@ -29,7 +29,7 @@ def velocity_terms(theta, omega, *, masses, lengths):
 
 
 def energy(theta, omega, *, masses, lengths, gravity):
-    """Of [M], and of the weights, whose moments are largest where both bars are level."""
+    """Use [M], and the weights, whose moments are largest where both bars are level."""
     bars = {"masses": masses, "lengths": lengths}
     kinetic = omega @ mass_matrix(theta, **bars) @ omega / 2
     return kinetic - np.cos(theta) @ gravity_terms(np.full(2, np.pi / 2), gravity=gravity, **bars)
@@ -43,7 +43,7 @@ def angular_acceleration(theta, omega, *, masses, lengths, gravity):
 
 
 def on_the_fly(theta, omega, *, masses, lengths, gravity):
-    """The same accelerations; then each hinge carries, and accelerates, what hangs below it."""
+    """Use the same accelerations; then each hinge carries, and accelerates, what hangs below it."""
     alpha = angular_acceleration(theta, omega, masses=masses, lengths=lengths, gravity=gravity)
     (m1, m2), (along, across) = masses, _directions(theta)
     turning = (across.T * np.multiply(lengths, alpha) - along.T * np.multiply(lengths, np.square(omega))).T
@@ -54,7 +54,7 @@ def on_the_fly(theta, omega, *, masses, lengths, gravity):
 
 
 def angular_momentum(theta, omega, *, masses, lengths):
-    """Of the mass centres, and of the bars about these."""
+    """Add the angular momenta of the mass centres, and of the bars about these."""
     m1, m2 = masses
     (along, across), (om1, om2) = np.reshape(lengths, (2, 1)) * _directions(theta), omega
     r1, v1 = along[0] / 2, om1 * across[0] / 2
@@ -64,7 +64,7 @@ def angular_momentum(theta, omega, *, masses, lengths):
 
 
 def small_oscillation_frequencies(*, masses, lengths, gravity):
-    """Square roots of the eigenvalues of M^-1 K, where K is the slope of the gravity terms."""
+    """Take square roots of the eigenvalues of M^-1 K, where K is the slope of the gravity terms."""
     bars = {"masses": masses, "lengths": lengths}
     ends = [[gravity_terms(sign * row, gravity=gravity, **bars) for sign in (-1, 1)] for row in SMALL * np.eye(2)]
     slopes = [np.subtract(after, before) / (2 * SMALL) for before, after in ends]
@@ -73,6 +73,6 @@ def small_oscillation_frequencies(*, masses, lengths, gravity):
 
 
 def _centres(theta, lengths):
-    """(2, 2, 2) velocities of the mass centres for each angular velocity of 1."""
+    """Return (2, 2, 2) velocities of the mass centres for each angular velocity of 1."""
     across, (l1, l2) = _directions(theta)[1], lengths
     return np.array([[0.5 * l1 * across[0], 0 * across[1]], [l1 * across[0], 0.5 * l2 * across[1]]])

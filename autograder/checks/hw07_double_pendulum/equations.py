@@ -1,7 +1,7 @@
-"""[M], {f}, {g} of any two independent equations of motion: W M, W f, W g of Lagrange's, with one invertible W(theta).
+"""[M], {f}, {g} of any two independent equations of motion: Lagrange's terms times an invertible W(theta).
 
-A term is right if it is Lagrange's, or if it belongs to the student's own two others. W^-1 brings it back to Lagrange's
-equations before it is compared, so that limits, messages and known mistakes are those of Lagrange's.
+A term is right if it is Lagrange's, or if it belongs to the student's other two terms. W^-1 turns it back into
+Lagrange's before it is compared, so that tolerances, messages and known mistakes are those of Lagrange's equations.
 """
 
 from collections.abc import Sequence
@@ -21,14 +21,14 @@ from . import reference
 
 Array = NDArray[np.float64]
 M, F, G = TERMS = ("mass_matrix", "velocity_terms", "gravity_terms")
-DEPENDENT = 1e-9  # determinant of rows of unit length: below it two equations are one
-OBLIQUE = 0.2  # sine of the angle between the bars: above it {f} at unit rates gives W
+DEPENDENT = 1e-9  # determinant of rows of unit length: with a smaller one, two equations are dependent
+OBLIQUE = 0.2  # sine of the angle between the bars: with a larger one, {f} at unit rates gives W
 SAME_TWO = "Your other two terms are of two equations that are not Lagrange's; this one does not fit them"
 CONTRADICTED = "It contradicts your third term: are all three from the same two equations, on the same side?"
 
 
 def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float, hint: str) -> None:
-    """Fail unless a term is Lagrange's, or belongs to the student's own two others."""
+    """Fail unless a term is Lagrange's, or belongs to the student's other two terms."""
     student, words = function.student, function.returns.description
     equations = Equations(student, cases, tolerance)
     results, last = equations.term(function.name), len(student.calls)
@@ -44,24 +44,24 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
 
 
 class Equations:
-    """The student's two equations of motion in some cases, beside Lagrange's. Vectors are (n, 2, 1)."""
+    """The student's two equations of motion in some cases, beside Lagrange's; vectors are (n, 2, 1)."""
 
     def __init__(self, student: Any, cases: Sequence[Case], tolerance: float) -> None:
         self._student, self._cases, self._within = student, cases, tolerance
         self._terms = dict[str, Array | None]()
 
     def term(self, name: str) -> Array:
-        """(n, 2, k) a term of the student's; Failed or NotWritten if the function gives none."""
+        """Return (n, 2, k), a term of the student's; raise Failed or NotWritten if the function gives none."""
         results = getattr(self._student, name).many(self._batch(name).cases)
         self._terms[name] = _columns(results)
         return _columns(results)
 
     def lagranges(self, name: str) -> Array:
-        """(n, 2) or (n, 2, 2)"""
+        """Return (n, 2) or (n, 2, 2), Lagrange's term."""
         return np.array(self._batch(name).expected)
 
     def sizes(self, name: str) -> Array:
-        """(n,) the scale of a term in each case."""
+        """Return (n,), the scale of a term in each case."""
         size, batch = getattr(self._student, name).returns.description.scale, self._batch(name)
         return np.array(batch.remembered(size, lambda: [size(case) for case in batch.cases]))
 
@@ -69,7 +69,7 @@ class Equations:
         return Batch.of(getattr(reference, name), self._cases)
 
     def back(self, name: str, hint: str) -> tuple[Array, str]:
-        """(n, 2, 2) W^-1 of the equations that a term is judged in, NaN where it is not known; and where to look."""
+        """Return (n, 2, 2), W^-1 of the equations in which a term is judged, NaN if unknown; and where to look."""
         lagranges = np.broadcast_to(np.eye(2), (len(self._cases), 2, 2))
         if self._holds(name, lagranges):
             return lagranges, hint
@@ -83,18 +83,18 @@ class Equations:
         return (lagranges, hint) if back is None or self._holds(others[0], lagranges) else (back, SAME_TWO)
 
     def _back_of(self, *names: str) -> Array | None:
-        """W^-1 of the two equations that both terms belong to; None if there are none."""
+        """Return W^-1 of the two equations to which both terms belong; None if there are none."""
         first, second = sorted(names, key=TERMS.index)
         back = self._back_of_masses() if first == M else self._back_of_rates()
         return back if back is not None and self._holds(second, back) else None
 
     def _back_of_masses(self) -> Array | None:
-        """W = M M_L^-1"""
+        """Return W^-1 for W = M M_L^-1."""
         mine = self._term(M)
         return None if mine is None else _times_inverse(self.lagranges(M), mine)
 
     def _back_of_rates(self) -> Array | None:
-        """{f} of Lagrange's is (k om2^2, -k om1^2): at unit rates {f} is k times a column of W."""
+        """Return W^-1 by {f} at unit rates, k times a column of W: Lagrange's {f} is (k om2^2, -k om1^2)."""
         at_rates = [[case.replace(case.args[0], unit) for case in self._cases] for unit in np.eye(2)]
         first, second = (self._tried(F, cases) for cases in at_rates)
         if first is None or second is None:
@@ -109,7 +109,7 @@ class Equations:
         return _times_inverse(np.broadcast_to(np.eye(2), columns.shape), columns)
 
     def _holds(self, name: str, back: Array) -> bool:
-        """Whether a term, brought back, is Lagrange's wherever that is known."""
+        """Return whether a term, turned back by W^-1, is Lagrange's wherever W^-1 is known."""
         mine = self._term(name)
         if mine is None:
             return False
@@ -118,13 +118,13 @@ class Equations:
         return bool((error[definite] <= self._within * self.sizes(name)[definite]).all())
 
     def _term(self, name: str) -> Array | None:
-        """A term of the student's; None if the function gives none."""
+        """Return a term of the student's; None if the function gives none."""
         if name not in self._terms:
             self._terms[name] = self._tried(name, self._cases)
         return self._terms[name]
 
     def _tried(self, name: str, cases: Sequence[Case]) -> Array | None:
-        """Results of calls that are not judged here."""
+        """Return results of calls that are not judged here; None if they fail."""
         calls = len(self._student.calls)
         try:
             return _columns(getattr(self._student, name).many(trim_to_signature(getattr(reference, name), cases)))
@@ -135,13 +135,13 @@ class Equations:
 
 
 def _columns(results: Any) -> Array:
-    """(n, 2, k) results, a vector as one column."""
+    """Return (n, 2, k) results, a vector as one column."""
     array = np.array(results, float)
     return array if array.ndim == 3 else array[:, :, None]
 
 
 def _times_inverse(first: Array, second: Array) -> Array | None:
-    """first second^-1 of each case, NaN where second is; None where two rows of second are as good as one."""
+    """Return first second^-1 of each case, NaN if second is; None if two rows of second are dependent in a case."""
     rows = np.linalg.norm(second, axis=2).prod(axis=1)
     if (np.abs(np.linalg.det(second)) <= DEPENDENT * rows).any():
         return None

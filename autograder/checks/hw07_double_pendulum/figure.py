@@ -10,7 +10,7 @@ from . import reference
 
 
 def figure(th1=0.5, th2=1.15, l1=1.0, l2=1.0):
-    """The ceiling hinge is the origin."""
+    """Draw both bars, with the ceiling hinge at the origin."""
     theta, lengths = np.array([th1, th2]), np.array([l1, l2])
     bars = reference.wireframe(theta, lengths=lengths)
     (ceiling, elbow), (_, tip) = bars

@@ -1,6 +1,4 @@
-"""What is right in hw07, by another route than the solution's: the motion of the two mass centres as complex numbers,
-x + iy, and d'Alembert's principle.
-"""
+"""Reference functions of hw07: mass centres as complex numbers x + iy, and d'Alembert's principle."""
 
 import math
 
@@ -9,17 +7,17 @@ import numpy as np
 from tam570.integrate import solve
 from tam570_grader.checks.diagrams import Force, FreeBody, NotAForce, weight
 
-REACH = np.array([[0.5, 0.0], [1.0, 0.5]])  # how much of each bar there is from the ceiling to each mass centre
+REACH = np.array([[0.5, 0.0], [1.0, 0.5]])  # share of each bar between the ceiling and each mass centre
 
 
 def kinematics(theta, omega, lengths):
-    """Of each mass centre: its place, the velocities per unit of om1 and om2, the acceleration without alpha."""
+    """Return, for the mass centres, positions, velocities per unit of om1 and om2, and accelerations for alpha = 0."""
     bars = -1j * lengths * np.exp(np.multiply(1j, theta))
     return REACH @ bars, REACH * 1j * bars, -REACH @ (np.square(omega) * bars)
 
 
 def all_terms(theta, omega, masses, lengths, gravity):
-    """M, f, g: inertia forces and weights dotted with the velocities per unit of om1 and om2."""
+    """Return M, f, g: inertia forces and weights dotted with the velocities per unit of om1 and om2."""
     _, levers, rest = kinematics(theta, omega, lengths)
     weighted = masses * levers.conj().T
     M = (weighted @ levers).real + np.diag(masses * lengths**2 / 12)
@@ -44,7 +42,7 @@ def gravity_terms(theta, masses, lengths, gravity):
 
 
 def on_the_fly(theta, omega, masses, lengths, gravity):
-    """The hinge forces by Newton's law for both bars together, and for bar 2."""
+    """Return alpha, and the hinge forces by Newton's law for both bars together, and for bar 2."""
     alpha = angular_acceleration(theta, omega, masses, lengths, gravity)
     _, levers, rest = kinematics(theta, omega, lengths)
     moved = masses * (levers @ alpha + rest + 1j * gravity)
@@ -52,7 +50,7 @@ def on_the_fly(theta, omega, masses, lengths, gravity):
 
 
 def unbalanced(theta, omega, alpha, forces, masses, lengths, gravity):
-    """(6,) N, what is left of Newton's law along x and y, and of the moments about the mass centre, of each bar."""
+    """Return (6,) N, for each bar: residuals of Newton's law along x and y, and of moments about its mass centre."""
     _, levers, rest = kinematics(theta, omega, lengths)
     ceiling, elbow = forces @ [1, 1j]
     law = masses * (levers @ alpha + rest + 1j * gravity) - [ceiling - elbow, elbow]
@@ -70,7 +68,7 @@ def angular_momentum(theta, omega, masses, lengths):
 
 
 def rates(_, state, masses, lengths, gravity):
-    """The derivative of a state: angular_acceleration in real numbers, in plain floats, which are fast."""
+    """Return the derivative of a state: angular_acceleration in real numbers, with plain floats, which are fast."""
     th1, th2, om1, om2 = state.tolist()
     (m1, m2), (l1, l2) = map(float, masses), map(float, lengths)
     both, lower, coupling = (m1 / 3 + m2) * l1**2, m2 * l2**2 / 3, m2 * l1 * l2 / 2
@@ -82,12 +80,12 @@ def rates(_, state, masses, lengths, gravity):
 
 
 def simulate(t, theta, omega, **bars):
-    """(n, 4) states at the times t, off by 1e-8 of their size at most; tests hold it to solve_ivp."""
+    """Return (n, 4) states at the times t, with errors of 1e-8 of their size at most; tests compare with solve_ivp."""
     return solve(rates, t, np.concatenate([theta, omega]), parameters=bars, method="python")
 
 
 def small_oscillation_frequencies(masses, lengths, gravity):
-    """By a symmetric eigenvalue problem: M^(-1/2) K M^(-1/2)."""
+    """Solve a symmetric eigenvalue problem: M^(-1/2) K M^(-1/2)."""
     stiffness = gravity_terms((math.pi / 2, math.pi / 2), masses, lengths, gravity)  # sin = 1
     inverse = np.linalg.inv(np.linalg.cholesky(mass_matrix((0.0, 0.0), masses, lengths)))
     return np.sqrt(np.linalg.eigvalsh(inverse @ np.diag(stiffness) @ inverse.T))
@@ -99,19 +97,19 @@ def wireframe(theta, lengths):
 
 
 def mass_centres(rows, lengths):
-    """(n, 2) the angular velocities, the places of both mass centres, and their velocities."""
+    """Return (n, 2) angular velocities, the positions of both mass centres, and their velocities."""
     bars = -1j * lengths * np.exp(1j * rows[:, :2])
     return rows[:, 2:], bars @ REACH.T, (1j * rows[:, 2:] * bars) @ REACH.T
 
 
 def energies(rows, masses, lengths, gravity):
-    """Of what moves, what turns about its mass centre, and what is high."""
+    """Sum the kinetic energies of and about the mass centres, and the potential energy."""
     omega, places, velocities = mass_centres(rows, lengths)
     return (np.abs(velocities) ** 2 / 2 + (lengths * omega) ** 2 / 24 + gravity * places.imag) @ masses
 
 
 def momenta(rows, gravity, masses, lengths):
-    """Sum of r x m v and I omega."""
+    """Sum r x m v and I omega."""
     omega, places, velocities = mass_centres(rows, lengths)
     return ((places.conj() * velocities).imag + lengths**2 * omega / 12) @ masses
 
@@ -125,7 +123,7 @@ DOWN = (0.0, -1.0)
 
 
 def free_body_diagram(bar, theta, masses, lengths, gravity):
-    """Of bar 1 or bar 2."""
+    """Return bar 1 or bar 2 and its forces."""
     bars = -1j * lengths * np.exp(np.multiply(1j, theta))
     ceiling, elbow, tip, *middles = (
         [z.real, z.imag] for z in (0j, bars[0], bars.sum(), bars[0] / 2, bars[0] + bars[1] / 2)

@@ -1,4 +1,4 @@
-"""Hidden inputs of hw08: axes of any length, angles of any size, and what has no direction."""
+"""Hidden inputs of hw08: axes of any length, angles of any size, and axes without a direction."""
 
 import itertools
 import math
@@ -20,20 +20,20 @@ WAYS = {"a coordinate axis": [*np.eye(3), *-np.eye(3)], "a diagonal": [np.array(
 NO_AXES = {
     "the zero axis": (0.0, 0.0, 0.0),
     "an axis with a NaN": (0.0, np.nan, 1.0),
-    "an axis with minus infinity": (0.0, -np.inf, 0.0),  # who refuses it refuses infinity
+    "an axis with minus infinity": (0.0, -np.inf, 0.0),  # code that refuses it refuses infinity, too
 }
-SERIES = 3e-5, 9e-5, 1e-4, 9e-4, 1e-3, 9e-3, 3e-2  # where series of one term or two are used, and lose digits
+SERIES = 3e-5, 9e-5, 1e-4, 9e-4, 1e-3, 9e-3, 3e-2  # sizes at which series of one term or two are used, and lose digits
 
 
 def vectors(rng):
-    """Arguments of skew."""
+    """Return arguments of skew."""
     random = [Case(rng.normal(size=3) * 10 ** rng.uniform(-3, 3)).labelled("a v of random numbers") for _ in range(3)]
     along = [Case(-v).labelled("a v along a coordinate axis") for v in np.eye(3)]
     return [*random, *along, Case(np.zeros(3)).labelled("a v of zeros")]
 
 
 def axes(rng, count):
-    """Axes of lengths from .1 to 10, some in coordinate planes and one on an axis."""
+    """Return axes of lengths from .1 to 10, some in coordinate planes and one along a coordinate axis."""
     axes = rng.normal(size=(count, 3)) * 10 ** rng.uniform(-1, 1, (count, 1))
     axes[::3, rng.integers(3)] = 0.0
     axes[0] = np.roll([axes[0, 0] + axes[0, 1], 0.0, 0.0], rng.integers(3))
@@ -41,7 +41,7 @@ def axes(rng, count):
 
 
 def turns(rng):
-    """Random turns; about axes next to coordinate axes, for which an arccos of what is 1 but for 1e-16 takes them."""
+    """Return random turns, and turns about axes that an arccos of 1 - 1e-16 takes for coordinate axes."""
     angles = rng.uniform(-4 * np.pi, 4 * np.pi, 7)
     about = [("a random axis and angle", axis) for axis in axes(rng, 5)]
     about += [("an axis 1e-8 from a coordinate axis", np.array(axis)) for axis in ((1e-8, 0.0, 1.0), (1.0, -1e-8, 0.0))]
@@ -49,7 +49,7 @@ def turns(rng):
 
 
 def plain_turns(rng):
-    """No turn, quarter, half and whole turns, one about each axis of whole numbers."""
+    """Return no turn, quarter, half and whole turns, one about each axis of integers."""
     directions = [(axis, way) for way, axes in WAYS.items() for axis in axes]
     return [
         Case(rng.integers(1, 4) * axis, angle).labelled(f"{turn} about {way}")
@@ -58,7 +58,7 @@ def plain_turns(rng):
 
 
 def angles_by_size(rng):
-    """Kind of angle: angles."""
+    """Return {label: angles}."""
     signs = np.resize([-1, 1], len(SERIES)) * rng.choice([-1, 1])
     return {
         "an angle of 1e-12, 1e-9 or 3e-6": (-1e-12, 1e-9, -3e-6),
@@ -69,7 +69,7 @@ def angles_by_size(rng):
 
 
 def turns_by_size(rng, lengths=((1.0, ""),) * 4):
-    """Turns for each kind of angle, about axes that are so many times as long."""
+    """Return turns by each size of angle, about axes of these lengths."""
     return [
         [
             Case(size * axis, angle).labelled(label + long)
@@ -80,7 +80,7 @@ def turns_by_size(rng, lengths=((1.0, ""),) * 4):
 
 
 def lengths(rng):
-    """Lengths of axes, long and short in turn, and their names; 1e150 squared overflows, 1e80 to the fourth, too."""
+    """Return (length, name) of axes, long and short in turn; 1e80 to the fourth overflows, 1e-85 to the fourth is 0."""
     powers = rng.uniform((80, -50, 10, -100), (100, -20, 50, -85))
     return [(10.0**power, f", a very {'long' if power > 0 else 'short'} axis") for power in powers]
 
@@ -92,7 +92,7 @@ def of_any_length(rng):
 
 
 def of_vectors(rng, turns):
-    """The turns, each of a vector of its own."""
+    """Return the turns, each with a random vector to turn."""
     return [turn.with_leading(rng.normal(size=3) * 10 ** rng.uniform(-2, 2)) for turn in turns]
 
 
@@ -103,14 +103,14 @@ def vectors_by_size(rng):
 
 
 def turned_vectors(rng):
-    """Random vectors, vectors along the axis, and none."""
+    """Return random vectors, vectors along the axis, and the zero vector."""
     random, plain = of_vectors(rng, turns(rng) + plain_turns(rng)), plain_turns(rng)
     along = [turn.with_leading(-2.0 * turn.args[0]).labelled("a vector along the axis") for turn in plain[1::3]]
     return [*random, *along, plain[1].with_leading(np.zeros(3)).labelled("the zero vector")]
 
 
 def no_axes(rng):
-    """(axis, angle): first of an axis, then of what is none, without a turn either."""
+    """Return (axis, angle): first with an axis, then with none, also for no turn."""
     angle = rng.uniform(0.5, 3)
     refused = [Case(np.array(axis), angle).labelled(label) for label, axis in NO_AXES.items()]
     still = [case.replace(case.args[0], 0.0).labelled(f"{case.label}, no turn") for case in refused[:2]]

@@ -6,13 +6,13 @@ from tam570_grader import Assignment, absolute, array, check, check_domain, comp
 
 from . import cases, reference
 
-# a few roundings of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
+# a few rounding errors of numbers of size 1 make 1e-15; quaternions and products of matrices, 1e-14
 POINTWISE = 1e-12
-TINY = 1e-14  # the rounding of the cosine; an angle of 1e-12 for which 0 is put is off by 1e-12, cos 3e-6 = 1 by 4e-12
-# 1e6 rad, reduced modulo 2 pi by hand, is off by 2e-10; R^T R of a matrix exponential by 2e-8
+TINY = 1e-14  # rounding of the cosine; 0 in place of an angle of 1e-12 has an error of 1e-12, cos 3e-6 = 1 of 4e-12
+# 1e6 rad, reduced modulo 2 pi by hand, has an error of 2e-10; R^T R of a matrix exponential of 2e-8
 HUGE_ANGLE = 5e-8
-BY_SIZE = TINY, POINTWISE, POINTWISE, HUGE_ANGLE  # of cases.angles_by_size
-NEAR_MISS = 1e-5  # of the result; a pi of few digits loses less, wrong physics more
+BY_SIZE = TINY, POINTWISE, POINTWISE, HUGE_ANGLE  # tolerances of cases.angles_by_size
+NEAR_MISS = 1e-5  # of the result; a pi of few digits has a smaller error, wrong physics a larger one
 
 compare = compare_with(reference, tolerance=POINTWISE)
 
@@ -28,7 +28,7 @@ def of_few_digits(case, result, expected):
 
 
 def of_which_term(case, result, expected):
-    """The cosine makes the symmetric part of the matrix, the sine the rest."""
+    """Return which term is wrong: the cosine makes the symmetric part of the matrix, the sine the rest."""
     off = result - expected
     cosine, sine = np.abs(off + off.T).max(), np.abs(off - off.T).max()
     if cosine > 100 * sine:
@@ -54,7 +54,7 @@ def matrix_holds_for_every_angle(student, rng):
     sizes = cases.turns_by_size(rng)
     rotation_matrix = student.rotation_matrix.ahead(sum(sizes, []))
     for tolerance, calls in zip(BY_SIZE, sizes, strict=True):
-        # an exponential of the matrix by scaling and squaring is off in its lengths, too, at 1e6 rad
+        # a matrix exponential by scaling and squaring changes lengths, too, at 1e6 rad
         R = np.array(compare(rotation_matrix, calls, tolerance=tolerance, hint=of_which_term))
         squares, volumes = np.swapaxes(R, 1, 2) @ R, np.linalg.det(R)
         worst = np.argmax(np.abs(squares - np.eye(3)).max(axis=(1, 2)))

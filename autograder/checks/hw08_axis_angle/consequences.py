@@ -1,4 +1,4 @@
-"""Right functions of hw08 as the lecture has them, in which a student may make one mistake."""
+"""Right functions of hw08 as in the lecture; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 

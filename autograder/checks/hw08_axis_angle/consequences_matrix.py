@@ -1,4 +1,4 @@
-"""Right functions of hw08 by powers of skew(axis), in which a student may make one mistake."""
+"""Right functions of hw08 by powers of skew(axis); diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
@@ -9,5 +9,5 @@ def rotation_matrix(axis, angle):
 
 
 def rotate(r, axis, angle):
-    """Share a mistake of the matrix."""
+    """Multiply by the matrix, whose mistake it shares."""
     return rotation_matrix(axis, angle) @ r

@@ -1,4 +1,4 @@
-"""Right functions of hw08 by q r q*, which is no rotation where the quaternion is not of unit length."""
+"""Right functions of hw08 by q r q*, which is no rotation if the quaternion is not of unit length."""
 
 import numpy as np
 

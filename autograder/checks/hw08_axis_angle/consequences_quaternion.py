@@ -1,4 +1,4 @@
-"""Right functions of hw08 by a quaternion, in which a student may make one mistake."""
+"""Right functions of hw08 by a quaternion; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 

@@ -10,7 +10,7 @@ EYE = seen_from(-1.2, 0.35)
 
 
 def figure(angle=1.9, axis=(0.25, -0.1, 1.0), r=(0.85, -0.35, 0.75)):
-    """Everything from the origin O."""
+    """Draw everything from the origin O."""
     n, r = np.array(axis) / np.linalg.norm(axis), np.array(r)
     turned = reference.rotate(r, n, angle)
     shown = Figure(

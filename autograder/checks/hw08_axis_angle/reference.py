@@ -1,4 +1,4 @@
-"""What is right in hw08, by another route than the formula: a frame with the axis as third vector is turned."""
+"""Reference functions of hw08, unlike the formula: a frame with the axis as third vector is turned."""
 
 import numpy as np
 
@@ -8,7 +8,7 @@ def skew(v):
 
 
 def rotation_matrix(axis, angle):
-    """e, f, n with e turned towards f; the frame comes from a QR factorisation."""
+    """Turn e towards f in a frame e, f, n that comes from a QR factorisation."""
     n = np.asarray(axis) / np.max(np.abs(axis))
     n = n / np.linalg.norm(n)
     e, f = np.linalg.qr(np.column_stack([n, np.eye(3)]))[0].T[1:]

@@ -10,17 +10,17 @@ from tam570_grader import Case
 from .reference import axis_rotation, turned
 
 QUARTERS = {0: "no turn", 1: "a quarter turn", 2: "a half turn", 4: "a whole turn"}
-# the order counts in all of them
+# the order matters in all of them
 ORDERS = "xyz", "zxz", "yz", "zxyxzzyxyxyz", "xxyyz"
 IN_PLANES = [np.roll([0.0, 0.6, way], k) for k in range(3) for way in (-0.8, 0.8)]
 ALONG = [*np.eye(3), *-np.eye(3)]
-FEW_LOST = 1.2e-3, 2e-3, 3.5e-3, 6e-3  # rad; an arccos is off by 3e-12 to 8e-11 of them
-# of two axes each: two columns, or two rows, of what they make of a rotation are not perpendicular, and no others
+FEW_LOST = 1.2e-3, 2e-3, 3.5e-3, 6e-3  # rad; an arccos has an error of 3e-12 to 8e-11 of them
+# each in two axes: only two columns, or two rows, of its product with a rotation are not perpendicular
 SHEARS = np.eye(3) + 1e-5 * np.array([np.outer(e, f) + np.outer(f, e) for e, f in itertools.combinations(np.eye(3), 2)])
 
 
 def turns(rng):
-    """About x, y and z: random angles, and quarter turns."""
+    """Yield turns about x, y and z: random angles, and quarter turns."""
     for axis in "xyz":
         yield from [Case(axis, angle).labelled(f"a turn about {axis}") for angle in rng.uniform((-7, 20), (0, 30))]
         for k in (0, 1, -1, 2, -2, 4):
@@ -28,13 +28,13 @@ def turns(rng):
 
 
 def no_axes(rng):
-    """First x, which is one."""
+    """Return x, which is an axis, then strings that are none."""
     angle, names = rng.uniform(0.5, 3), ("x", "w", "X", "xy", "yz", "", "-x", "x ", "1")
     return [Case(axis, angle).labelled(f'the string "{axis}"') for axis in names]
 
 
 def sequences(rng):
-    """Two to twelve steps each, and quarter turns."""
+    """Return sequences of two to twelve steps, and of quarter turns."""
     steps = [list(zip(order, rng.uniform(-4, 4, len(order)).tolist(), strict=True)) for order in ORDERS]
     quarters = [list(zip("zyxyz", (1, 0, 1, -1, 2), strict=True)), list(zip("xyz", (-1, 1, 0), strict=True))]
     plain = [
@@ -50,7 +50,7 @@ def few_steps(rng):
 
 
 def unit_axis(rng):
-    """All components count: the smallest is a tenth at least."""
+    """Return a unit axis whose components all matter: the smallest is a tenth at least."""
     v = rng.uniform(0.3, 1, 3) * rng.choice([-1, 1], 3)
     return v / np.linalg.norm(v)
 
@@ -68,7 +68,7 @@ def matrices(pairs, label):
 
 
 def generic(rng):
-    """Angles from .3 to 2.8, where arccos of the trace and R - R^T over 2 sin th lose 1e-14 at most."""
+    """Yield angles from .3 to 2.8, where arccos of the trace and R - R^T over 2 sin th have errors of 1e-14 at most."""
     pairs = [(unit_axis(rng), rng.uniform(0.3, 2.8)) for _ in range(3)]
     pairs += [(np.array(v) / math.sqrt(3), 2 * math.pi / 3) for v in ((1, -1, 1), (1, 1, 1))]
     yield from matrices(pairs, "an axis and angle far from special ones")
@@ -79,7 +79,7 @@ def generic(rng):
 
 
 def distances(rng):
-    """From the special angles, rad, the largest first: there an arccos is not yet that of the special angle."""
+    """Return distances from the special angles, rad; the first is so large that an arccos does not round it away."""
     distances = rng.uniform(0.05, 0.3), 1e-8, 1e-9, 1e-12, *10 ** rng.uniform((-12, -9, -7, -4), (-9, -7, -4, -2))
     return sorted(distances, reverse=True)
 
@@ -94,7 +94,7 @@ def near_pi(rng):
 
 
 def near_quarters(rng):
-    """The sine is flat there: an arcsine of it loses half of the digits."""
+    """Return angles at which the sine is flat: its arcsine loses half of the digits."""
     pairs = [(unit_axis(rng), math.pi / 2 + more) for more in (0.0, 1e-8, -1e-8)]
     return matrices(pairs, "a quarter turn, or nearly one, about an axis of any direction")
 
@@ -110,13 +110,13 @@ def small_components(rng):
 
 
 def half_turns(rng):
-    lopsided = rng.permutation([3.0, -2.0, -2.0]) / math.sqrt(17)  # its largest component has not the sign of the sum
+    lopsided = rng.permutation([3.0, -2.0, -2.0]) / math.sqrt(17)  # the sum has another sign than the largest component
     axes = [*(unit_axis(rng) for _ in range(3)), lopsided, *np.eye(3), *IN_PLANES]
     return [Case(2 * np.outer(n, n) - np.eye(3)).labelled(f"a half turn about an axis {describe(n)}") for n in axes]
 
 
 def off_by(R, rng, defect):
-    """R sheared: max abs(R^T R - I) is `defect`, and that of R R^T - I, which some take, within a tenth of it."""
+    """Return R sheared: max abs(R^T R - I) is `defect`, that of R R^T - I, which some use, within a tenth of it."""
     while True:
         shear = rng.uniform(-1, 1, (3, 3))
         shear = (shear + shear.T) * (1 - np.eye(3))
@@ -138,7 +138,7 @@ def no_rotations(rng):
     pairs = [
         ("a reflection", -R),
         ("a reflection", R @ np.diag([1.0, 1.0, -1.0])),
-        # R^T R is off by what is allowed, the determinant, near -1, by more than a rounding
+        # the error of R^T R is allowed, the determinant, near -1, differs by more than rounding
         ("a reflection times 1 + 4e-7", (1 + 4e-7) * -R),
         ("a reflection times 1 - 4e-7", (1 - 4e-7) * R @ np.diag([1.0, -1.0, 1.0])),
         ("a rotation times 1.1", 1.1 * R),
@@ -156,13 +156,13 @@ def no_rotations(rng):
 
 
 def stretched_along_z(rng):
-    """R^T R and R R^T have the same one element off, 1.000005."""
+    """Return a matrix for which R^T R and R R^T differ from I in one and the same element, 1.000005."""
     R = axis_rotation("z", rng.uniform(0.5, 2.5)) @ np.diag([1.0, 1.0, 1 + 2.5e-6])
     return [Case(R).labelled("a matrix with R^T R off by 5e-6 on the diagonal")]
 
 
 def identities_but_for_infinity(rng):
-    """Zeros times infinity are NaN, and no comparison with NaN is true."""
+    """Yield identities with an infinite element: zero times infinity is NaN, for which all comparisons are false."""
     i, j = rng.permutation(3)[:2]
     for k, size in itertools.product((i, j), (np.inf, -np.inf)):
         R = np.eye(3)
@@ -171,7 +171,7 @@ def identities_but_for_infinity(rng):
 
 
 def books(rng):
-    """(R, size, label) of boxes."""
+    """Yield (R, size, label) of boxes."""
     sizes = [rng.permutation(10 ** rng.uniform(-1, 1) * np.array([1, 1.7, 2.9])) for _ in range(4)]
     yield from [(rotation(rng), size, "a random rotation and size") for size in sizes[:2]]
     yield np.eye(3), sizes[2], "a book that is not turned"

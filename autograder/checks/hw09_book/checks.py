@@ -12,21 +12,21 @@ from tam570_grader.checks.returns import array, group, number
 
 from . import cases, reference
 
-WITHIN = 1e-13  # ways that divide by no small number lose 1e-15; where 1e-12 rad make no turn, 1e-12 are lost
-# of small angles and their axes: R - R^T and quaternions lose 5e-16, the null vector of R - I 6e-11 at 1e-8 rad
+WITHIN = 1e-13  # methods without division by a small number have errors of 1e-15; 1e-12 rad taken for no turn, 1e-12
+# for small angles and their axes: R - R^T and quaternions err by 5e-16, the null vector of R - I by 6e-11 at 1e-8 rad
 RELATIVE = 1e-12
-MANY_TURNS = 1e-10  # by S = R A R^T, R <- S R, roundings grow threefold a turn: 1e-14 after six, 1e-11 after twelve
-# of a matrix sheared by 7e-7: its parts' axes differ by as much, that by eigh of R + R^T by 3.5e-6 (in 4000 draws)
+MANY_TURNS = 1e-10  # by S = R A R^T, R <- S R, rounding errors triple at each turn: 1e-14 after six, 1e-11 after twelve
+# for a matrix sheared by 7e-7: axes from its parts differ by as much, that by eigh of R + R^T by 3.5e-6 (4000 draws)
 SHEARED = 2e-5
 STRETCHED = 2e-3  # rad: the identity times 1 + 4.5e-7 has a cosine of 1 + 6.8e-7: no angle, or 1.2e-3 rad by its size
-NEAR_MISS = 1e-5  # of a result, or rad; a pi of few digits loses less
+NEAR_MISS = 1e-5  # of a result, or rad; a pi of few digits has a smaller error
 SAME = 1e-6
 
 compare = compare_with(reference, tolerance=WITHIN)
 
 
 def in_limits(case, _):
-    """Many turns are allowed a larger error."""
+    """Return the scale of a matrix; it is larger for many turns, which allows a larger error."""
     return 1.0 if len(case.args[0]) < 5 else MANY_TURNS / WITHIN
 
 
@@ -97,7 +97,7 @@ SIGNS = "The sizes of its components are right, their signs are not: R + R^T has
 
 
 def of_pairs(case, result, expected, otherwise, near_miss=""):
-    """What is wrong with an axis and its angle, if the numbers tell, else where to look."""
+    """Return what is wrong with an axis and its angle, if the numbers show it, else where to look."""
     (axis, angle), (n, right_angle) = result, expected
     small, same_axis = np.abs(n) < 1e-4, near(axis, n)
     only_small = small.any() and near(axis[~small], n[~small], WITHIN) and not near(axis, n, WITHIN)
@@ -108,7 +108,7 @@ def of_pairs(case, result, expected, otherwise, near_miss=""):
         "Small angles are given as 0.": angle == 0 and right_angle < 0.1,
         "Angles near pi are given as pi.": angle == math.pi,
         LONG: not near(axis @ axis, 1) and near(axis, np.linalg.norm(axis) * n),
-        # an eigenvector to the rounding of R: no axis that is off by chance is that
+        # an eigenvector up to the rounding of R, which an axis is not by chance
         IS_KEPT: small_angle and near(case.args[0] @ axis, axis, 2e-15),
         SMALL_ONES: same_axis and only_small,
         OPPOSITE: near(-axis, n) and near(angle, right_angle),
@@ -121,7 +121,7 @@ def of_pairs(case, result, expected, otherwise, near_miss=""):
 LOST = "It is nearly right: where are digits lost?"
 WHAT_STAYS = partial(of_pairs, otherwise="Which vector does R keep, and what is the trace of R?", near_miss=LOST)
 FLAT_COSINE = "An arccos of the trace loses half of the digits there, and so does the arcsine of half of the angle."
-HALF = 1e-6  # rad: half of the digits; where the angle itself is small, of an arccos all
+HALF = 1e-6  # rad: half of the digits; if the angle itself is small, all digits of an arccos
 WHICH_PART = "Which part of R is large there: R - R^T or R + R^T?"
 
 
@@ -130,7 +130,7 @@ def where_flat(case, result, expected):
 
 
 def of_angle(angle, expected):
-    """What an angle is that is wrong; "" if it is right."""
+    """Return what is wrong with an angle; "" if it is right."""
     if abs(angle - expected) <= WITHIN:
         return ""
     return FLAT_COSINE if near(angle, expected, HALF) else "Test it: the trace of R is 1 + 2 cos(angle)."

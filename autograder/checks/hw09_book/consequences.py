@@ -1,4 +1,4 @@
-"""Right functions of hw09 by the trace, in which a student may make one mistake."""
+"""Right functions of hw09 by the trace; diagnosis tries mistakes in these, too."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def axis_angle(R):
-    """Lose digits near 0 and pi, which a mistake hides."""
+    """Use an arccos of the trace, which loses digits near 0 and pi; a mistake hides that."""
     R = _rotation(R)
     angle = math.acos(min(max((np.trace(R) - 1) / 2, -1.0), 1.0))
     n = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])

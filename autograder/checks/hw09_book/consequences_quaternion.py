@@ -1,4 +1,4 @@
-"""Right functions of hw09 by quaternions, in the product or the matrix of which a student may make one mistake."""
+"""Right functions of hw09 by quaternions; diagnosis tries mistakes in their product and matrix, too."""
 
 import math
 

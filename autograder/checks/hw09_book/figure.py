@@ -11,7 +11,7 @@ EYE = seen_from(0.55, 0.4)
 
 
 def figure(size=(1.1, 1.5, 0.3), angle=1.3):
-    """The arcs turn by `angle`, which is positive."""
+    """Draw the book, and arcs that turn by `angle`, which is positive."""
     half = np.array(size) / 2
     shown = Figure(
         "A book and its axes",

@@ -1,4 +1,4 @@
-"""What is right in hw09, by another route than the solution's: vectors turned by hw08's formula, quaternions back."""
+"""Reference functions of hw09: vectors turned by hw08's formula; quaternions for the axis and angle of a matrix."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy as np
 
 
 def turned(n, angle):
-    """The matrix of a unit axis and an angle; 1 - cos without cancellation."""
+    """Return the matrix of a unit axis and an angle, with 1 - cos computed without cancellation."""
     along = np.outer(n, 2 * math.sin(angle / 2) ** 2 * n)
     return math.cos(angle) * np.eye(3) + along + math.sin(angle) * np.cross(n, np.eye(3)).T
 
@@ -16,7 +16,7 @@ def axis_rotation(axis, angle):
 
 
 def space_sequence(steps):
-    """Every column is carried through the steps, first step first."""
+    """Turn every column by the steps, first step first."""
     R = np.eye(3)
     for axis, angle in steps:
         R = axis_rotation(axis, angle) @ R
@@ -33,7 +33,7 @@ def book_rotations():
 
 
 def axis_angle(R):
-    """By the longest column of 4 q q^T, q the unit quaternion: no digit is lost at any angle (Shepperd 1978)."""
+    """Use the longest column of 4 q q^T, q the unit quaternion, which loses no digit at any angle (Shepperd 1978)."""
     trace, twice_sine_n = np.trace(R), np.cross(np.eye(3), R.T).sum(axis=0)
     vectors = R + R.T + (1 - trace) * np.eye(3)
     products = np.block([[1 + trace, twice_sine_n], [twice_sine_n[:, None], vectors]])
