@@ -45,7 +45,7 @@ for line in sys.stdin:
 """
 
 
-# A background job of a shell ignores SIGINT, and a job under nohup ignores SIGHUP; its child processes inherit that.
+# Background jobs of a shell ignore SIGINT, and jobs under nohup SIGHUP; processes that tests start would inherit this.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 signal.signal(signal.SIGHUP, signal.SIG_DFL)
 

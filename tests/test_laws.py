@@ -113,7 +113,7 @@ def test_a_wrong_submission_loses_points_at_its_check_whatever_the_inputs(slug, 
 
 @pytest.mark.parametrize(("slug", "check"), **first_of_each(CHECKS, lambda slug, check: (slug, check.name)))
 def test_every_check_has_a_mistake_that_it_catches(slug, check, grade, solution_text):
-    """The check is the first to fail, or its failure does not follow from that of another check."""
+    """Some mistake fails this check first, or fails it not only because of a mistake in another function."""
 
     def is_caught(mistake):
         result = grade(slug, f"{solution_text(slug)}\n\n{mistake.text}", naming=False)

@@ -47,7 +47,7 @@ def test_algebra_has_one_thread(monkeypatch):
 
 @pytest.mark.parametrize(("command", "path"), TARGETS)
 def test_what_cannot_be_written_is_named(here, capsys, command, path):
-    """The error names the output path if its folder is a file or does not exist."""
+    """The error names the output path if a file is in the place of its folder, or if its folder does not exist."""
     (here / "results").mkdir()
     (here / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
     (here / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")

@@ -102,7 +102,7 @@ def cylinder(periods, phi, rate, mass=2.0, radius=0.5, offset=0.4, inertia=0.3, 
 
 
 def disk(periods, start, shape="disk", mass=1.7, radius=0.45, gravity=9.81):
-    """Return the energy of the simulation by angles; assert R^T R and the centre's height of that by matrices."""
+    """Return the energy by angles; assert that the simulation by matrices keeps R^T R and the height of the centre."""
     hw = assignments.solution("hw14_rolling_disk")
     parameters = {"mass": mass, "radius": radius, "gravity": gravity}
     parameters["inertia"] = tuple(k * mass * radius**2 for k in SHAPES[shape])

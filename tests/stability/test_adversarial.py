@@ -34,7 +34,7 @@ def against(rhs, span, start, *, stops=(), longest=0.1, exact=None, **options):
 
 
 def newton(acceleration, span, start=(0.0, 0.0), **more):
-    """Return a case of a particle with the acceleration(time, position, velocity)."""
+    """Return a case of a particle with this acceleration(t, x, v)."""
     return against(lambda t, y: (y[1], acceleration(t, y[0], y[1])), span, start, **more)
 
 
@@ -254,7 +254,7 @@ def by_newton(t, y):
 
 @dataclasses.dataclass
 class Oscillator:
-    """Rates of a class that is mutable, and so has no hash."""
+    """A right-hand side of a mutable class, which has no hash."""
 
     rate: float
 
@@ -391,7 +391,7 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
         exact = by_scipy(functools.partial(rhs, **options.get("parameters", {})), span, start, stops, longest)
     motion = solve(rhs, span, start, rtol=RTOL, report=True, **options)
     is_traced, first = not motion.report.untraced_reason, motion.states[-1]
-    repeats = [solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3 if is_traced else 1)]  # cached
+    repeats = [solve(rhs, span, start, rtol=RTOL, **options)[-1] for _ in range(3 if is_traced else 1)]  # cached runs
     assert all((state == first).all() for state in repeats)
     assert first == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
     assert name not in COMPLEX or (not motion.report.unseen_reason and motion.report.steps < 200)  # visible to `solve`

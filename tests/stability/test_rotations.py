@@ -73,7 +73,7 @@ def singly_and_in_a_batch(function, *arguments):
 
 
 def exact_quaternion_matrix(q):
-    """(w^2 - v^2) I + 2 v v^T + 2 w skew(v), over the squared length."""
+    """Return ((w^2 - v^2) I + 2 v v^T + 2 w skew(v)) / (w^2 + v^2)."""
     w, v = exact(q)[0], exact(q)[1:]
     return ((w * w - v @ v) * IDENTITY + 2 * np.outer(v, v) + 2 * w * hat(v)) / (w * w + v @ v)
 
@@ -153,7 +153,7 @@ def matrices_to_mend():
 
 
 def test_nearest_rotation():
-    """`nearest` agrees with singular vectors in 50 digits; rounding of M is magnified by max stretch over sum."""
+    """`nearest` agrees with singular vectors in 50 digits, up to rounding of M times its condition, max over sum."""
     for M in matrices_to_mend():
         U, stretch, Vt = mpmath.svd_r(mpmath.matrix(M.tolist()))
         sign = mpmath.sign(mpmath.det(U * Vt))

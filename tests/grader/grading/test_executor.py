@@ -130,7 +130,7 @@ def test_what_is_right_is_known_after_a_rehearsal(grade, course, solution_text, 
     slug, seed = "hw11_disk_steady", 5700 + rehearsed
     if rehearsed:
         rehearse(assignments.assignment(course, slug), seed)
-    monkeypatch.setattr(expected, "shared", None)  # which computes all expected results
+    monkeypatch.setattr(expected, "shared", None)  # computing a result now raises
     assert grade(slug, solution_text(slug), seed).score == score
 
 

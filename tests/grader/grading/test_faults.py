@@ -18,7 +18,7 @@ from tam570_grader.audit.gradings import submissions
 from tam570_grader.grading import batch
 from tam570_grader.results import store
 
-SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # a third each
+SHARES = ("", "def skew(v): return v\n", "def rotate(r, axis, angle):\n    raise ValueError\n")  # used in turn
 BUSY = 2  # busy loops on the same processor as the two jobs: each job has a quarter of it
 
 
@@ -91,7 +91,7 @@ def test_a_run_that_ends_leaves_nothing_unlocked_before_it_is_done(tmp_path, mon
 
 
 def test_neither_a_clock_that_jumps_nor_more_processes_change_a_result(tmp_path, solution_text, monkeypatch):
-    """The clock jumps a day back, then an hour forward, each time it is read; one run has two processes."""
+    """The clock jumps a day back or an hour forward at each reading, in one process instead of two."""
     tree = class_of(2, tmp_path / "submitted", solution_text(HW08))
     monkeypatch.setattr(batch, "FEW", 1)  # a process for each submission
     command = ["grade", str(tree), "--seed", "5", "--out"]

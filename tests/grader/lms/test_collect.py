@@ -59,7 +59,7 @@ def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
 
 @pytest.mark.parametrize("times", first(1, [1, 80_000]))
 def test_gradescope_by_its_metadata_groups_too(desk, download, times):
-    """Gradescope writes all outputs into the metadata; a file of any size is read."""
+    """Gradescope writes all outputs into the metadata; `collect` reads a large file without building a tree of it."""
     long = "  :results:\n    output: '" + "x" * 100 + "'\n"
     table = "".join(line + long * times * line.startswith("  :created_at") for line in METADATA.splitlines(True))
     works = {"submission_1/work.py": "ab", "submission_2/hw08_axis_angle.py": "c", "submission_2/hw08_b.py": "d"}

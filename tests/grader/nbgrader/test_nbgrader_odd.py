@@ -63,7 +63,7 @@ def noisy(folder):
 
 
 def beside(folder):
-    """Add files that tools run, or with names of the grader's files (jupyter/nbgrader issues 170, 258, 1211, 1842)."""
+    """Add files that tools would run or that imitate the grader's (jupyter/nbgrader issues 170, 258, 1211, 1842)."""
     for name in ("numpy.py", "lab.py", "sitecustomize.py", "conftest.py", "nbgrader_config.py", "tam570.py"):
         (folder / name).write_text("raise SystemExit('stolen()')\n")
     (folder / f"{ONE}.html").write_text("<script>stolen()</script>")

@@ -45,7 +45,7 @@ def test_the_monitors_last_word_is_whose_fault_a_death_is(happen, word):
 @pytest.mark.parametrize("asks_first", [False, True])
 @pytest.mark.parametrize("word", ["0", "1"])
 def test_the_supervisor_hears_the_last_word_of_a_monitor_that_has_gone(word, asks_first):
-    """On a busy machine, the monitor may have ended before the supervisor sends its next order."""
+    """On a busy machine, a monitor may end before the next order; the supervisor still reads its last message."""
     channel, leash, monitors_end = socket.socket(), *socket.socketpair()
     process = SandboxProcess(channel, leash, call_limit=1.0)
     monitors_end.sendall(f"0.25\n0.5 {word}\n".encode())

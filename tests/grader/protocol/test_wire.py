@@ -20,7 +20,7 @@ def test_messages_arrive_as_they_were_sent(value):
 @pytest.mark.parametrize(
     "data",
     [b"", b"\xc1", b"\x81\xa1x", packed(1) + b"x", b"\xc7\x05\x01\x92\xa3|O8\x90", b"\xd4\x09\x00"]
-    + [b"\xdd\0\x20\0\0" + packed(small) * 2**21 for small in ([], {}, Foreign("dict"), 1)],  # need much memory
+    + [b"\xdd\0\x20\0\0" + packed(small) * 2**21 for small in ([], {}, Foreign("dict"), 1)],  # they expand in memory
 )
 def test_garbage_is_no_message(data):
     with pytest.raises(Unreadable):

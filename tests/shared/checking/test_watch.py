@@ -13,7 +13,7 @@ from tam570.checking.examples import load_examples
 from tam570.course import folder
 
 SLUG = "hw08_axis_angle"
-REFUSED = "test_rotate_refuses_what_is_no_axis"  # has three parameters
+REFUSED = "test_rotate_refuses_what_is_no_axis"  # a parametrized test with three cases
 
 
 @pytest.fixture

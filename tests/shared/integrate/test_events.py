@@ -29,7 +29,7 @@ def test_zeros_are_found_to_the_tolerance(rtol):
     exact = math.pi * (np.arange(len(motion.events[0].t)) + 0.5)
     assert len(exact) == 10  # 30 / pi
     assert np.abs(motion.events[0].t - exact).max() < 100 * rtol
-    assert np.abs(motion.events[0].states[:, 0]).max() < 4 * EPS  # located to rounding by the polynomial
+    assert np.abs(motion.events[0].states[:, 0]).max() < 4 * EPS  # the polynomial locates the zeros to rounding
 
 
 def test_a_direction_is_that_of_the_crossing():

@@ -45,7 +45,7 @@ def test_threads_do_not_share_their_memory():
 
 @pytest.mark.parametrize("start", [[1.0], [1, 2, 3], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []])
 def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
-    """This holds for a prepared run, and for `solve` with a cached run."""
+    """A prepared run, and `solve` with a cached run, raise for a wrong start and then still work."""
     run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
     call = partial(solve, pendulum, [0, 1], parameters=LENGTH, method="compiled")
     expected = [call(each) for each in STARTS[:3]]

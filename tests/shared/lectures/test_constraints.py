@@ -178,7 +178,7 @@ def test_a_top_sleeps_as_its_motion_does(share):
 
 @pytest.mark.parametrize("shape", ["bowl", "saddle", "plane"])
 def test_the_force_of_the_surface_does_no_virtual_work(shape):
-    """Its components along both tangents are zero; with the weight it gives F = m a of the motion in space."""
+    """The force has no component along either tangent; with the weight it gives F = m a of the motion in space."""
     parameters = {"mass": 1.7, "gravity": 9.81, "surface": shape, "curvature": 0.8}
     sx, sy = {"bowl": (0.8, 0.8), "saddle": (0.8, -0.8), "plane": (0, 0)}[shape]
     for x, y, u, v in DRAW.normal(size=(5, 4)):

@@ -90,7 +90,7 @@ def test_a_mass_of_zero_and_a_state_of_another_shape_are_refused_by_name(name):
 
 @pytest.mark.parametrize("name", MOVING)
 def test_rates_are_plain_floats_and_can_be_traced(name):
-    """Also for states that are not physical: an integrator may try one, and then repeat the step."""
+    """Rates are floats also at states that are not physical: an integrator may try one, and then repeat the step."""
     module = load(name)
     start = np.array(module.START)
     trials = [start, 0 * start, np.ones_like(start), -start, 1e3 * start[::-1], *(start * (1 - np.eye(len(start))))]

@@ -39,7 +39,7 @@ def test_every_neighbour_has_more_action():
 
 
 def test_the_action_is_kinetic_less_potential_over_time():
-    """At rest it is -V T with V = -g l cos; at a constant rate without gravity, l^2 th'^2/2 T."""
+    """The action of rest is -V T with V = -g l cos; that of a constant rate without gravity is l^2 th'^2/2 T."""
     assert action(np.full(5, 0.4), 2.0, **SCENE) == pytest.approx(2.0 * 9.81 * 0.8 * math.cos(0.4))
     assert action(np.linspace(0, 1, 9), 2.0, length=0.8, gravity=0.0) == pytest.approx(0.8**2 / 2 * 0.25 * 2.0)
 

@@ -52,7 +52,7 @@ def test_what_a_hand_holds_is_where_the_hand_is(scenes, name):
 
 
 def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(tab, scenes):
-    """This holds for a motion that needs more steps than one call of the page's integrator takes."""
+    """The page integrates to the film's time, though the motion needs more steps than one call of its integrator."""
     scene = scenes("hw14_rolling_disk")
     opened, live = tab(scene), scene.live
     opened.evaluate("goTo(duration)")
