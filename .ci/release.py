@@ -1,8 +1,8 @@
-"""Build a release, and try it in a bare environment of each Python that is here.
+"""Build a release, and try it in a bare environment of each installed Python.
 
-    make release        wheel and sdist into dist/; exit code 1, with the reason, if one of them is not as it should be
+    make release        writes a wheel and an sdist into dist/; on an error, prints the reason and exits with code 1
 
-The version stands in `shared/tam570/__init__.py`. CHANGELOG.md and CITATION.cff must have it too.
+The version is in `shared/tam570/__init__.py`; CHANGELOG.md and CITATION.cff must have the same version.
 """
 
 import os
@@ -19,7 +19,7 @@ COURSE = Path(__file__).resolve().parent.parent
 DIST = COURSE / "dist"
 PYTHONS = ("3.11", "3.12", "3.13", "3.14")
 SECRETS = re.compile(r"(^|/)(solutions|checks|mistakes|tests|benchmarks)/")
-TRIALS = {  # what is run after the install, and its exit code
+TRIALS = {  # command to run after the installation: its exit code
     "tam570 --version": 0,
     "tam570 list": 0,
     "tam570 start hw08": 0,
@@ -45,7 +45,7 @@ def main():
 
 
 def agreed_version():
-    """The version; all files that name it must agree."""
+    """Return the version; exit if a file names another one."""
     version = re.search(r'__version__ = "(.+)"', (COURSE / "shared/tam570/__init__.py").read_text())[1]
     if f"\n## {version}\n" not in (COURSE / "CHANGELOG.md").read_text():
         sys.exit(f"CHANGELOG.md has no section for {version}")
@@ -62,7 +62,7 @@ def built():
 
 
 def check_contents(wheel, sdist, version):
-    """The wheel is pure and holds every assignment; neither file holds a solution or a check."""
+    """Exit unless the wheel is pure and contains every assignment, and neither file contains a solution or a check."""
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
     with tarfile.open(sdist) as archive:
@@ -76,7 +76,7 @@ def check_contents(wheel, sdist, version):
 
 
 def python(version):
-    """The path of a Python of this version that works, or None."""
+    """Return the path of a working Python of this version, or None."""
     for path in [shutil.which(f"python{version}"), *Path.home().glob(f".pyenv/versions/{version}.*/bin/python")]:
         ask = [str(path), "-c", "import sys, venv; print('%d.%d' % sys.version_info[:2])"]
         if path and subprocess.run(ask, capture_output=True, text=True).stdout.strip() == version:
@@ -85,7 +85,7 @@ def python(version):
 
 
 def tried(interpreter, package, version):
-    """Install a package into a bare environment and run the trials there; end if one goes wrong."""
+    """Install a package into a bare environment and run the trials there; exit if one fails."""
     print(f"{package.name} into a bare environment of {interpreter}", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         bare = Path(folder, "bare")
