@@ -21,25 +21,25 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, compare_invaria
 
 from . import cases, reference
 
-POINTWISE = 1e-8  # a few roundings make 1e-15; a derivative by central differences, 1e-9
-SINGULAR = 1e-2  # a pseudoinverse where a singular value is 1e-12 makes 1e-4; a sine kept from zero, 0.3
-# solve_ivp at rtol 1e-9, atol 1e-9 is off by 6e-8 at the most (LSODA), an explicit method of order 2 at a thousand
-# steps a radian by 1e-6; at its own tolerances solve_ivp is off by 2e-5.
+POINTWISE = 1e-8  # a few rounding errors make 1e-15; a derivative by central differences, 1e-9
+SINGULAR = 1e-2  # a pseudoinverse at a singular value of 1e-12 makes 1e-4; a sine kept from zero, 0.3
+# solve_ivp at rtol 1e-9, atol 1e-9 has an error of 6e-8 at most (LSODA), an explicit method of order 2 at a thousand
+# steps a radian of 1e-6, and solve_ivp at its default tolerances of 2e-5.
 TRAJECTORY = 3e-6
-# The same solvers lose 7e-8 of R^T R = I in 45 radians; with order 2 the energy may swing by 1e-6.
+# The same solvers lose 7e-8 of R^T R = I in 45 radians; with order 2 the energy may oscillate by 1e-6.
 INVARIANT = 1e-5
-PERIOD = 1e-6  # a period measured on a simulation is good to 1e-8
-# 1 - k^2 is 1e-9 there: as a difference it has 7 digits; events of solve_ivp at 1e-9 are off by 4e-6 (LSODA)
+PERIOD = 1e-6  # a period measured in a simulation has an error of 1e-8
+# 1 - k^2 is 1e-9 there: as a difference it has 7 digits; events of solve_ivp at 1e-9 have errors of 4e-6 (LSODA)
 NEAR_PERIOD = 1e-4
-# Of the radius: the chords of 401 points, over less than a turn, leave the path by (6/400)^2/8 = 3e-5, and those of 26,
-# every sixteenth, by (6/25)^2/8 = 7e-3.
+# Of the radius: chords of 401 points, over less than a turn, deviate from the path by (6/400)^2/8 = 3e-5, and those of
+# 26, every sixteenth, by (6/25)^2/8 = 7e-3.
 DRAWN, COARSELY = 1e-3, 1e-2
 
 compare = compare_with(reference, tolerance=POINTWISE)
 
 
 def last_length(case, _):
-    """|omega|, the last of the arguments."""
+    """Return |omega|, the last argument."""
     return np.linalg.norm(case.args[-1])
 
 
@@ -95,7 +95,7 @@ SHORT = "The steps must be short for a fast turn, and must not depend on the sam
 
 
 def restart(row):
-    """R and omega of a row."""
+    """Return R and omega of a row."""
     return row[3:].reshape(3, 3), row[:3]
 
 
@@ -108,14 +108,14 @@ RATES = OwnRates("euler_equations", reference, lambda t, row: (row[:3],), ATTITU
 
 
 def wrong_attitude(motion):
-    """Make a hint for the rotations."""
+    """Return a hint for the rotations."""
     omega, expected = motion.actual[:, :3], motion.expected[:, :3]
     turning = np.allclose(omega, expected, rtol=0, atol=1e-3 * np.abs(expected).max())
     return of_rotations(motion) or (ATTITUDE_RATES.hint(motion) if turning else "")
 
 
 def of_rotations(motion):
-    """What is wrong with the rotations, if they tell."""
+    """Return what is wrong with the rotations; empty if they do not show it."""
     rotations, expected = rotations_of(motion.actual), rotations_of(motion.expected)
     transposes = rotations.transpose(0, 2, 1)
     flaws = {
@@ -128,7 +128,7 @@ def of_rotations(motion):
 
 
 def squares(states, inertia):
-    """R^T R of each row."""
+    """Return R^T R of each row."""
     return rotations_of(states).transpose(0, 2, 1) @ rotations_of(states)
 
 
@@ -143,7 +143,7 @@ def energies(states, inertia):
 ROTATES = Invariant("R^T R", "", squares, absolute, INVARIANT)
 KEEPS_MOMENTUM = Invariant("H in space", "of its start", momenta, None, INVARIANT)
 KEEPS_ENERGY = Invariant("the energy", "of its start", energies, None, INVARIANT)
-SHARES = {1e-4: 0.5, 1e-2: 0.25}  # left for a drift
+SHARES = {1e-4: 0.5, 1e-2: 0.25}  # {drift: share of the points}
 compare_motions = compare_with(reference.motion, by=compare_trajectory, tolerance=TRAJECTORY, restart=restart)
 
 
@@ -252,12 +252,12 @@ def the_box_has_its_twelve_edges(student, rng):
 
 
 def seen_along_x(rotations):
-    """y and z of the body's axes 0 and 1 in space: two paths (n, 2)."""
+    """Return y and z of the body's axes 0 and 1 in space: two paths (n, 2)."""
     return rotations[:, 1:, 0], rotations[:, 1:, 1]
 
 
 def mistaken(rotations):
-    """{what is drawn: its two paths, over the radius}."""
+    """Return {message: the two paths that this mistake draws, over the radius}."""
     paths, turned = seen_along_x(rotations), rotations.transpose(0, 2, 1)
     return {
         "This is the path of the opposite point: it runs on the same circle": [-path for path in paths],
@@ -305,7 +305,7 @@ def rim_paths_are_drawn(student, rng):
 
 
 def in_order(lines, path):
-    """The lines, first the one whose ends are nearer to those of the path."""
+    """Return the lines, first the one whose ends are nearer to those of the path."""
     return sorted(lines, key=lambda line: np.abs(along(line, path)[[0, -1]] - path[[0, -1]]).max())
 
 

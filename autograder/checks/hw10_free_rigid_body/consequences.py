@@ -1,4 +1,4 @@
-"""Right functions of hw10 in terms of others, or in other words, in which a student may make one mistake."""
+"""Right functions of hw10 in terms of others, or in other forms; diagnosis tries mistakes in these, too."""
 
 import math
 
@@ -16,7 +16,7 @@ def euler_rates_313(angles, omega):
 
 
 def growth_rate_squared(axis, spin, *, inertia):
-    """The product of what each deviation adds to the rate of the other; Euler's equations have no higher powers."""
+    """Multiply what each deviation adds to the rate of the other; Euler's equations have no higher powers."""
     j, k = (i for i in range(3) if i != axis)
     steady, unit = spin * np.eye(3)[axis], np.eye(3)
 
@@ -28,7 +28,7 @@ def growth_rate_squared(axis, spin, *, inertia):
 
 
 def tumble_period(omega, *, inertia):
-    """Quarters are K of the modulus by the arithmetic-geometric mean, over a rate."""
+    """Compute quarters as K of the modulus by the arithmetic-geometric mean, over a rate."""
     A, B, C = inertia
     p, q, r = omega
     round_0, round_2 = A * (B - A) * p**2, C * (C - B) * r**2

@@ -12,7 +12,7 @@ SIZE = np.array([1.2, 0.8, 0.4])
 
 
 def figure(turn=(0.25, -0.35, 0.5), omega=(0.35, 0.9, 0.4)):
-    """The body turned by this rotation vector; omega in its axes."""
+    """Draw the body turned by this rotation vector, with omega in its axes."""
     R = reference.turned(np.array(turn))
     shown = Figure(
         "A free rigid body",

@@ -1,4 +1,4 @@
-"""What is right in hw10: H' = 0 in vectors, Jacobi's elliptic functions, the two turns of a wheel."""
+"""Reference functions of hw10: H' = 0 in vectors, Jacobi's elliptic functions, the two turns of a wheel."""
 
 import math
 
@@ -6,23 +6,23 @@ import numpy as np
 
 from tam570.integrate import solve
 
-ALIKE = 1e-3  # of their mean: numbers whose differences count up to the fifth power, with an error of 1e-18
+ALIKE = 1e-3  # of the mean: smaller differences enter a series up to the fifth power, with an error of 1e-18
 
 
 def turned(v):
-    """The rotation by |v| about v (Rodrigues)."""
+    """Return the rotation by |v| about v (Rodrigues)."""
     half_turns, across = np.linalg.norm(v) / np.pi, np.cross(np.eye(3), v)
     return np.eye(3) + np.sinc(half_turns) * across + np.sinc(half_turns / 2) ** 2 / 2 * across @ across
 
 
 def euler_equations(omega, *, inertia):
-    """omega', from H' = 0: the rate of H in the body's axes is H x omega."""
+    """Return omega' from H' = 0: the rate of H in the body's axes is H x omega."""
     inertia = np.asarray(inertia)
     return np.cross(inertia * omega, omega) / inertia
 
 
 def attitude_rate(R, omega):
-    """Every row of R, an axis of space seen from the body, turns backwards."""
+    """Return dR/dt: every row of R, an axis of space seen from the body, turns backwards."""
     return np.cross(R, omega)
 
 
@@ -35,7 +35,7 @@ def angular_momentum(R, omega, *, inertia):
 
 
 def euler_rates_313(angles, omega):
-    """By the columns that are omega, in body components, of unit rates of psi, theta and phi."""
+    """Solve with the columns that are omega, in body components, for unit rates of psi, theta and phi."""
     _, theta, phi = angles
     x, _, z = np.eye(3)
     after_phi = turned(-phi * z)
@@ -43,11 +43,11 @@ def euler_rates_313(angles, omega):
 
 
 def motion(t, R, omega, *, inertia):
-    """omegas and rotations of any body, off by 1e-11 of their size at most."""
+    """Return omegas and rotations of any body, with errors of 1e-11 of their size at most."""
     A, B, C = map(float, inertia)
 
     def rates(_, state):
-        """H x omega, and the rows of R, which turn backwards, in plain floats, which are fast."""
+        """Return H x omega, and the rates of the rows of R, which turn backwards, in plain floats, which are fast."""
         p, q, r, *R = state.tolist()
         turns = [turn for x, y, z in (R[:3], R[3:6], R[6:]) for turn in (y * r - z * q, z * p - x * r, x * q - y * p)]
         return (B - C) * q * r / A, (C - A) * r * p / B, (A - B) * p * q / C, *turns
@@ -57,7 +57,7 @@ def motion(t, R, omega, *, inertia):
 
 
 def carlson(x, y, z):
-    """R_F(x, y, z), at most one of them zero, by duplication (Numer. Math. 33, 1979; DLMF 19.36.1)."""
+    """Return R_F(x, y, z), at most one of them zero, by duplication (Numer. Math. 33, 1979; DLMF 19.36.1)."""
     mean = (x + y + z) / 3
     while max(abs(mean - x), abs(mean - y), abs(mean - z)) > ALIKE * mean:
         root = math.sqrt(x * y) + math.sqrt(y * z) + math.sqrt(z * x)
@@ -70,14 +70,14 @@ def carlson(x, y, z):
 
 
 def first_kind(phi, m):
-    """F(phi | m)."""
+    """Return F(phi | m)."""
     half_turns = round(phi / math.pi)
     c, s = math.cos(phi - half_turns * math.pi), math.sin(phi - half_turns * math.pi)
     return s * carlson(c * c, c * c + (1 - m) * s * s, 1.0) + 2 * half_turns * carlson(0.0, 1 - m, 1.0)
 
 
 def amplitude(u, m):
-    """am(u | m) by Gauss's mean, from its end back (Abramowitz and Stegun 16.4)."""
+    """Return am(u | m) by Gauss's mean, from its end back (Abramowitz and Stegun 16.4)."""
     a, b, ratios = 1.0, math.sqrt(1 - m), []
     while a - b > 1e-15 * a:
         a, b, difference = (a + b) / 2, math.sqrt(a * b), (a - b) / 2
@@ -89,7 +89,7 @@ def amplitude(u, m):
 
 
 def tumble(t, R, omega, *, inertia):
-    """omegas of three different inertias in elliptic functions, dn about the axis they go round; motion's rotations."""
+    """Return omegas in elliptic functions for three inertias, dn about the axis they circle; rotations of `motion`."""
     order = np.argsort(inertia)
     if np.sum((inertia * omega) ** 2) < 2 * energy(omega, inertia=inertia) * np.median(inertia):
         order = order[::-1]
@@ -105,27 +105,27 @@ def tumble(t, R, omega, *, inertia):
 
 
 def symmetric_solution(t, omega, *, inertia):
-    """omega whose part across the axis turns at (C/A - 1) omega_3."""
+    """Turn the part of omega across the axis at (C/A - 1) omega_3."""
     A, _, C = inertia
     across = (omega[0] + 1j * omega[1]) * np.exp(1j * (C / A - 1) * omega[2] * (t - t[0]))
     return np.column_stack([across.real, across.imag, np.full(len(t), omega[2])])
 
 
 def wobble_rate(omega, *, inertia):
-    """How fast the symmetry axis e, which moves at omega x e, goes round H."""
+    """Return how fast the symmetry axis e, which moves at omega x e, goes round H."""
     H, e = inertia * omega, np.array([0.0, 0.0, 1.0])
     return np.linalg.norm(H) * np.linalg.norm(np.cross(omega, e)) / np.linalg.norm(np.cross(H, e))
 
 
 def growth_rate_squared(axis, spin, *, inertia):
-    """Deviations of the next axis grow at a rate whose square is this."""
+    """Return the square of the rate at which deviations of the next axis grow."""
     omega, other = spin * np.eye(3)[axis], (axis + 1) % 3
     rows = [(np.cross(inertia * d, omega) + np.cross(inertia * omega, d)) / inertia for d in np.eye(3)]
     return np.linalg.matrix_power(rows, 2)[other, other]
 
 
 def tumble_period(omega, *, inertia):
-    """4 K(k) over the rate, by Carlson's integral; for pure spin that of small oscillations."""
+    """Return 4 K(k) over the rate, by Carlson's integral; for pure spin the period of small oscillations."""
     A, B, C = inertia
     p, q, r = np.square(omega)
     beside = B * (B - A) * (C - B) * q

@@ -10,19 +10,19 @@ from tam570_grader import KEPT, Case
 from . import reference
 
 UNIFORM, HOOP, WHEEL, ROLLER = "a thin uniform disk", "a hoop", "a wheel", "a long roller"
-COIN = "a thin disk as small as a coin"  # its moments are so small, 1e-6 N m, that many a threshold sees zero
+COIN = "a thin disk as small as a coin"  # its moments, 1e-6 N m, are so small that many thresholds take them for zero
 WHEELS = UNIFORM, HOOP, WHEEL
 UNIT = {"mass": 1.0, "radius": 1.0, "inertia": (0.25, 0.5), "gravity": 1.0}  # a thin uniform disk
-SMALL_LEAN = 5e-5  # rad; what it changes is far above any tolerance
-STEEP_LEANS = 1.55, math.pi / 2 - 1e-4  # rad; at the second, rounding costs four digits of sixteen
+SMALL_LEAN = 5e-5  # rad; its effect is far above any tolerance
+STEEP_LEANS = 1.55, math.pi / 2 - 1e-4  # rad; at the second, rounding costs four of sixteen digits
 STEEP = "a disk that lies almost flat"
-LITTLE_GRAVITY = 1e-2  # m/s^2, of an asteroid: little, and not none
+LITTLE_GRAVITY = 1e-2  # m/s^2, of an asteroid: little, but not zero
 LITTLE = "very little gravity"
 AGAIN = "the arguments before with another disk or gravity"
 
 
 def a_disk(rng, label):
-    """A long roller has A larger than C + m a^2."""
+    """Return a random disk; a long roller has A larger than C + m a^2."""
     mass, radius = 10 ** rng.uniform(-1, 1), 10 ** rng.uniform(-1.5, 0)
     if label == COIN:
         mass, radius = rng.uniform(2e-3, 6e-3), rng.uniform(8e-3, 12e-3)
@@ -38,7 +38,7 @@ def a_disk(rng, label):
 
 
 def disks(rng, *labels):
-    """Each is drawn when it is asked for."""
+    """Return (label, disk) pairs, each drawn when it is requested."""
     return ((label, a_disk(rng, label)) for label in labels)
 
 
@@ -47,23 +47,23 @@ def a_lean(rng):
 
 
 def usual(disk):
-    """Size of precessions and spins, rad/s."""
+    """Return the scale of precessions and spins, rad/s."""
     return math.sqrt(disk["gravity"] / disk["radius"])
 
 
 def telling_first(cases):
-    """What tells mistakes from the truth comes first: where a call raises, only the ones before it are compared."""
+    """Sort cases, the informative ones first: if a call raises, only those before it are compared."""
 
     def rank(case):
         motion = case.args[:2]
         special = 2 * (0.0 in motion) + 3 * (case.label == AGAIN)
-        return special, "hoop" in case.label, motion[-1] > 0, "thin" in case.label  # of a hoop C - m a^2 is zero
+        return special, "hoop" in case.label, motion[-1] > 0, "thin" in case.label  # for a hoop C - m a^2 is zero
 
     return sorted(cases, key=rank)
 
 
 def members(rng):
-    """Leans and precessions of both signs."""
+    """Return leans and precessions of both signs."""
     signs = itertools.cycle((1, -1))
     cases = [
         Case(a_lean(rng), next(signs) * usual(disk) * rng.uniform(0.3, 3), **disk).labelled(label)
@@ -73,7 +73,7 @@ def members(rng):
 
 
 def plain_members(rng):
-    """Upright disks, without gravity, almost flat, and whole numbers."""
+    """Return upright disks, no gravity, almost flat disks, and integers."""
     disk = a_disk(rng, WHEEL)
     upright = Case(0.0, rng.choice([-1, 1]) * rng.uniform(0.5, 5), **disk).labelled("an upright disk")
     little = {**disk, "gravity": LITTLE_GRAVITY}
@@ -90,7 +90,7 @@ def plain_members(rng):
 
 
 def tracks(rng):
-    """Leans and track radii, both positive."""
+    """Return leans and track radii, both positive."""
     cases = []
     for label, disk in disks(rng, *WHEELS):
         lean = rng.uniform(0.1, 1.35)
@@ -108,7 +108,7 @@ def tracks_of_any_sign(rng):
     label = "a long roller whose contact lies beyond the centre of the circle"
     beyond = [still.replace(sign * lean, sign * track).labelled(label) for sign in (1, -1)]
     disk, lean = a_disk(rng, COIN), rng.uniform(0.2, 1.2)
-    track = disk["radius"] * math.sin(lean) * rng.uniform(0.9, 0.97)  # G lies beyond the centre; the smallest is 5/6
+    track = disk["radius"] * math.sin(lean) * rng.uniform(0.9, 0.97)  # G is beyond the centre; the smallest is 5/6
     small, flat = Case(lean, track, **disk).labelled(COIN), a_disk(rng, UNIFORM)
     steep = [
         Case(lean, reference.smallest_track(lean, **flat) + flat["radius"], **flat).labelled(STEEP)
@@ -118,7 +118,7 @@ def tracks_of_any_sign(rng):
 
 
 def straight_tracks(rng):
-    """Where nothing turns the disk; and where very little does."""
+    """Return tracks on which nothing turns the disk, or very little."""
     disk = a_disk(rng, WHEEL)
     R = rng.uniform(2, 5)  # m, wider than any smallest track
     case = Case(rng.uniform(0.2, 1.2), R, **disk)
@@ -151,8 +151,8 @@ def impossible_tracks(rng):
     ]
     cases = [Case(*track, **disk).labelled(label) for *track, label in tracks]
     label = "a roller that turns on a point, its lean tiny but not zero, where Omega drops out"
-    for lean in (2.0**-30, -(2.0**-30)):  # its own sine and tangent, and its cosine is one
-        # A = C + m a^2, with which no Omega bears the weight on a point; powers of two, so that no formula is rounded
+    for lean in (2.0**-30, -(2.0**-30)):  # equals its sine and tangent; its cosine is one
+        # A = C + m a^2, for which no Omega bears the weight on a point; powers of two, so that no formula is rounded
         mass, radius, gravity = 2.0 ** rng.integers([-1, -3, 1], [3, 1, 5])
         inertia = 2 * mass * radius**2, mass * radius**2
         cases.append(Case(lean, 0.0, mass=mass, radius=radius, inertia=inertia, gravity=gravity).labelled(label))
@@ -160,7 +160,7 @@ def impossible_tracks(rng):
 
 
 def sliding_tracks(rng):
-    """A lean inwards first: a sign is named if it is what matters."""
+    """Return sliding tracks, leans inwards first, so that a sign is named if it matters."""
     leans = [*(a_lean(rng) for _ in range(2)), 0.0]
     leans = sorted([*leans, leans[0], STEEP_LEANS[0], -STEEP_LEANS[0]], key=lambda lean: (lean == 0, lean < 0))
     signs = {1: "a lean inwards", -1: "a negative lean", 0: "an upright disk"}
@@ -169,7 +169,7 @@ def sliding_tracks(rng):
 
 
 def settled(rng):
-    """A lean alone."""
+    """Return cases with a lean alone."""
     cases = [Case(a_lean(rng), **disk).labelled(label) for label, disk in disks(rng, *WHEELS, COIN)]
     first = cases[0]
     cases += [Case(sign * math.pi / 4, **UNIT).labelled("whole numbers") for sign in (1, -1)]
@@ -188,7 +188,7 @@ def steep(rng):
 
 
 def whirls(rng):
-    """Leans, precessions, spins and disks without any relation, steady or not; and some with a zero."""
+    """Return leans, precessions, spins and disks without any relation, steady or not; and some with a zero."""
     cases = [
         Case(rng.uniform(-1.4, 1.4), *(usual(disk) * rng.uniform(-3, 3, 2)), **disk).labelled(label)
         for label, disk in disks(rng, *WHEELS, COIN)
@@ -204,7 +204,7 @@ def whirls(rng):
 
 
 def under_forces(rng):
-    """Motions under forces of any size, without precession too, and without an inward force."""
+    """Return motions under forces of any size, also without precession, and without an inward force."""
     whirling = whirls(rng)
     motions = whirling + [case.replace(case.args[0], 0.0).labelled("no precession") for case in whirling[-4:]]
     cases = []

@@ -8,11 +8,11 @@ from tam570_grader import Assignment, absolute, check, check_domain, compare_wit
 
 from . import cases, reference
 
-# Formulas agree to a few roundings, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits
-# where the root is flat. Wrong physics is off by a tenth.
+# Formulas agree up to a few rounding errors, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits if
+# the root is flat. The error of wrong physics is a tenth.
 WITHIN = 1e-9
 WHICH_ARE_ZERO = "Which of its terms are zero there?"
-UPRIGHT = 1e-7  # the limit is taken at a lean of 1e-5, which enters by its square
+UPRIGHT = 1e-7  # the reference takes the limit at a lean of 1e-5, which enters by its square
 
 compare = compare_with(reference, tolerance=WITHIN)
 
@@ -47,7 +47,7 @@ def radius(case, _):
 
 
 def wrong_force(case, result, expected):
-    """Which part of the force is wrong, and where it comes from."""
+    """Return which part of the force is wrong, and where it comes from."""
     inward, normal = np.isclose(result, expected)
     if normal and not inward:
         return "Only the inward force is wrong: G moves on a circle; what is its radius, and G's speed?"
@@ -56,7 +56,7 @@ def wrong_force(case, result, expected):
     return "The results are (inward, normal): F = m a of G, which moves on a circle."
 
 
-# The balance of moments and the force first: many solve these for the spins.
+# The balance of moments and the force come first: many students solve these for the spins.
 
 
 @check("moment_residual", points=0.75, part="c")

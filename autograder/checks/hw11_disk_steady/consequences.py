@@ -1,4 +1,4 @@
-"""Right functions of hw11 by the student's own moment residual: a spin that leaves none."""
+"""Right functions of hw11 by the student's own moment residual: a spin for which it is zero."""
 
 
 def rolling_spin(lean, precession, *, mass, radius, inertia, gravity):

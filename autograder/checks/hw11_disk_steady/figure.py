@@ -10,7 +10,7 @@ from . import reference
 
 
 def figure(lean=0.45, radius=1.0, track_radius=1.9):
-    """The axis of the circle is at x = 0, the contact at the track radius to its right."""
+    """Draw the axis of the circle at x = 0, and the contact at the track radius to its right."""
     C = np.array([track_radius, 0.0])
     up, axle = _in_the_plane(reference.rim(lean, radius)), _in_the_plane(reference.axle(lean))
     G, top = C + up, C + 2 * up
@@ -43,6 +43,6 @@ def figure(lean=0.45, radius=1.0, track_radius=1.9):
 
 
 def _in_the_plane(vector):
-    """Of components towards the centre, along the track and up: to the right and up."""
+    """Return (right, up) of a vector with components towards the centre, along the track and up."""
     inward, _, upward = vector
     return np.array([-inward, upward])

@@ -1,4 +1,4 @@
-"""Hidden inputs of hw12: random beads and wires, and plain ones that tell what random ones do not."""
+"""Hidden inputs of hw12: random beads and wires, and plain ones for mistakes that random ones do not show."""
 
 import math
 
@@ -9,11 +9,11 @@ from tam570_grader import Case, in_symbols, repeated_calls, uneven
 ANY = "a random bead and wire"
 SYMBOLS = ("x", "v", "m", "c", "g")
 STEEP = 25.0  # m, on a wire of 10/m: not so far that a difference of energies loses its digits
-NEXT_TO_BOTTOM = 1e-5  # times 1/c: whoever takes the wire for level there leaves a term out
+NEXT_TO_BOTTOM = 1e-5  # times 1/c: a solution that takes the wire for level there leaves a term out
 
 
 def bead(rng):
-    """A call at a random state on a flat or a steep place."""
+    """Return a random state on a flat or a steep place."""
     curvature, gravity = 10 ** rng.uniform(-1, 1), rng.uniform(1, 25)
     x = 10 ** rng.uniform(-2, 0.6) / curvature * rng.choice([-1, 1])
     v = rng.uniform(0.4, 2) * math.sqrt(gravity / curvature) * rng.choice([-1, 1])
@@ -22,18 +22,18 @@ def bead(rng):
 
 
 def usual(rng):
-    """Random ones and whole numbers; nothing is zero, for a right formula may be 0/0 there."""
+    """Return random cases and integers; nothing is zero, where a right formula may be 0/0."""
     ones = Case(1.0, 1.0, mass=1.0, curvature=1.0, gravity=1.0).labelled(ANY)
     return [*(bead(rng) for _ in range(4)), ones, ones.replace(-1.0), ones.replace(1.0, -1.0)]
 
 
 def symbols(rng):
-    """Values for symbols, two random ones; each takes as long as ten calls with numbers."""
+    """Return values for symbols, two of them random; each takes as long as ten calls with numbers."""
     return in_symbols(usual(rng)[::2], *SYMBOLS)
 
 
 def beads(rng):
-    """At rest, at the bottom, or both; random ones; at a steep place; without gravity too."""
+    """Return beads at rest, at the bottom, or both; random ones; on a steep place; also without gravity."""
     cases = usual(rng)
     x, v = map(abs, cases[0].args)
     states = {
@@ -48,7 +48,7 @@ def beads(rng):
 
 
 def places(rng):
-    """For the function of the place alone."""
+    """Return cases of a function of the place alone."""
     return [*beads(rng), *next_to_bottom(rng)]
 
 
@@ -60,7 +60,7 @@ def next_to_bottom(rng):
 
 
 def nearly_at_rest(rng):
-    """Next to the bottom, and as slow: the energy is tiny, and not zero."""
+    """Return a slow bead next to the bottom, whose energy is tiny, but not zero."""
     case = bead(rng)
     x, v = NEXT_TO_BOTTOM / case.kwargs["curvature"], NEXT_TO_BOTTOM * case.args[1]
     return [case.replace(x, v).labelled("a bead next to the bottom")]
@@ -71,9 +71,9 @@ def _weighed(label, gravity):
 
 
 def ride(rng, low, high, count, turns, label, start=None, decade=0.7):
-    """A motion of an amplitude of low to high, in units of 1/c, for `turns` over the rate of small motions.
+    """Return a motion with an amplitude of low to high, in units of 1/c, for `turns` over the rate of small motions.
 
-    start : the place, of the amplitude, and the speed, of the largest; random by default
+    start : the place, relative to the amplitude, and the speed, relative to the largest; default: random
     """
     wire = {"curvature": 10 ** rng.uniform(-decade, decade), "gravity": rng.uniform(1, 25)}
     size, rate = rng.uniform(low, high) / wire["curvature"], math.sqrt(2 * wire["gravity"] * wire["curvature"])
@@ -92,12 +92,12 @@ def rides(*settings):
 wide = rides(0.4, 1.0, 25, 15.0, "an amplitude near 1/c")
 steep = rides(5.0, 8.0, 10, 45.0, "an amplitude of several 1/c")
 many_periods = rides(0.4, 1.0, 15, 50.0, "many periods")
-# The oscillation of small amplitudes is off by 2e-3; an absolute tolerance of 1e-9 m is good to 1e-6.
+# The linear oscillation has an error of 2e-3; an absolute tolerance of 1e-9 m makes 1e-6.
 close = rides(0.02, 0.025, 2, 5.0, "two times, the bead let go at rest, close to the bottom", (1.0, 0.0), 0.3)
 
 
 def few_times(rng):
-    """Three times, most of the run and its sharp turns between two; two times, at rest."""
+    """Return three times, with most of the run and its sharp turns between two of them; two times, at rest."""
     sharp = ride(rng, 4.3, 5.0, 2, 21.0, "a few times, far apart")
     first, last = sharp.args[0]
     between = last - 1.5 / math.sqrt(2 * sharp.kwargs["gravity"] * sharp.kwargs["curvature"])
@@ -106,14 +106,14 @@ def few_times(rng):
 
 
 def weightless(rng):
-    """A motion with gravity; the same at other times; from the same start, on another wire without gravity."""
+    """Return a motion with gravity; the same at other times; from the same start, on another wire without gravity."""
     case = ride(rng, 0.4, 1.0, 5, 3.0, "an amplitude near 1/c")
     other_times, _, other_wire = repeated_calls(rng, case, gravity=0.0)
     return [case, other_times, other_wire]
 
 
 def periods(label, low, high, count, decades=(-1, 1)):
-    """Amplitudes in units of 1/c, by their powers of ten; decades of the curvature."""
+    """Return a function for amplitudes in units of 1/c, by their powers of ten; decades of the curvature."""
 
     def case(rng):
         curvature, size = 10 ** rng.uniform(*decades), 10 ** rng.uniform(low, high)

@@ -16,15 +16,15 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 
 from . import cases, reference
 
-FORMULA = 1e-8  # a few roundings make 1e-15, a derivative by central differences 1e-10
-FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies are good to 5e-6 of what is nearly zero
-TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 is off by 1e-6 after three periods, RK45 and DOP853 by less
-SHARP_TURN = 2e-4  # ... by 1e-5 behind the sharp turns of a steep wire
-LOSSES = {1e-3: 0.6, 1e-2: 0.3}  # of the energy
+FORMULA = 1e-8  # a few rounding errors make 1e-15, a derivative by central differences 1e-10
+FEW_DIGITS = 1e-4  # of x'' next to the bottom; differences of energies have errors of 5e-6 of this small value
+TRAJECTORY = 2e-5  # LSODA at rtol 1e-9, atol 1e-9 has an error of 1e-6 after three periods, RK45 and DOP853 less
+SHARP_TURN = 2e-4  # the error is 1e-5 after the sharp turns of a steep wire
+LOSSES = {1e-3: 0.6, 1e-2: 0.3}  # {relative loss of energy: share of the points}
 ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
-COARSELY = 0.03  # of the amplitude after many periods; rows from anywhere on the motion are off by one or two
-PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, is good to 1e-8
-TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m is good to 5e-5
+COARSELY = 0.03  # of the amplitude after many periods; other rows of the motion have an error of one or two
+PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, has an error of 1e-8
+TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m has an error of 5e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
@@ -32,13 +32,13 @@ compare_energy = compare_with(reference, by=check_conserved, coarsely=COARSELY)
 
 
 def largest_term(case, acceleration):
-    """x'', or what cancels in it."""
+    """Return the size of x'' or, if it is zero, of the terms that cancel in it."""
     values = dict(zip(("x", "v"), case.args, strict=False)) | {k[0]: value for k, value in case.kwargs.items()}
     return abs(acceleration) or values["g"] + values["c"] * values["v"] ** 2
 
 
 def size(case, states):
-    """The amplitude; without gravity the farthest place."""
+    """Return the amplitude; without gravity the farthest place."""
     _, x, v = case.args
     return reference.amplitude(x, v, **case.kwargs) if case.kwargs["gravity"] else np.max(np.abs(states[:, 0]))
 
@@ -88,7 +88,7 @@ def lagrange_gives_the_acceleration(student, rng):
 
 
 def at_rest_or_not(at_rest, moving):
-    """A hint by whether the bead is at rest."""
+    """Return a hint that depends on whether the bead is at rest."""
     return lambda case, *_: moving if case.args[1] else at_rest
 
 
@@ -109,7 +109,7 @@ BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply
 
 
 def source_or(student, otherwise, case, force, expected=None):
-    """lagrange_equation where the force makes the student's own x'', or a hint."""
+    """Return FollowsFrom lagrange_equation if the force makes the student's own x'' of it, else a hint."""
     (x, v), (mass, curvature, gravity) = case.args, (case.kwargs[name] for name in ("mass", "curvature", "gravity"))
     try:
         (a,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
@@ -130,7 +130,7 @@ def force_has_the_right_size(student, rng):
 
 
 def of_direction(case, force, expected):
-    """Which way a force of the right size is wrong."""
+    """Return in which way a force of the right size is wrong."""
     along = np.dot(force, [1.0, 2 * case.kwargs["curvature"] * case.args[0]])
     if abs(along) <= 1e-6 * np.linalg.norm(force):
         return "It is normal to the wire, and points to the other side: return the force on the bead."

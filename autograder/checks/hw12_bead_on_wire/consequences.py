@@ -1,10 +1,10 @@
-"""Right functions of hw12 in other words, in which a student may make one mistake, or that follow from others."""
+"""Right functions of hw12 in other forms, or that follow from others; diagnosis tries mistakes in these, too."""
 
 import math
 
 
 def lagrangian():
-    """By x' and y'."""
+    """Use x' and y'."""
     import sympy
 
     x, v, mass, curvature, gravity = sympy.symbols("x v m c g")
@@ -17,7 +17,7 @@ def acceleration_newton(x, v, *, curvature, gravity):
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """With the weight it makes m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
+    """Return what, with the weight, makes m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
     acceleration = acceleration_newton(x, v, curvature=curvature, gravity=gravity)
     return mass * acceleration, mass * (2 * curvature * (v**2 + x * acceleration) + gravity)
 

@@ -8,7 +8,7 @@ from . import reference
 
 
 def figure(x=0.75, curvature=1.0, v=0.45):
-    """The bottom of the wire is the origin."""
+    """Draw the bead, with the bottom of the wire at the origin."""
     places = np.linspace(-1.15, 1.15, 41)
     # the height by the potential energy of 1 kg at g = 1
     height = [reference.energy(position, 0.0, 1.0, curvature, 1.0) for position in places]

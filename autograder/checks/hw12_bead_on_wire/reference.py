@@ -1,4 +1,4 @@
-"""What is right in hw12, by another route than the solution's: the bend of the wire, an elliptic integral."""
+"""Reference functions of hw12, derived differently from the solution: the bend of the wire, an elliptic integral."""
 
 import math
 
@@ -7,17 +7,17 @@ import numpy as np
 from tam570.integrate import solve
 from tam570_grader.checks.diagrams import Force, FreeBody, NotAForce, weight
 
-STEP = 0.25  # of a sum in the place of an integral, good to exp(-pi^2/STEP)
+STEP = 0.25  # step of a sum that replaces an integral; its error is exp(-pi^2/STEP)
 
 
 def acceleration_newton(x, v, curvature, gravity):
-    """Nothing but the wire pushes sideways."""
+    """Return x'': only the wire pushes sideways."""
     return constraint_force(x, v, 1.0, curvature, gravity)[0]
 
 
 def constraint_force(x, v, mass, curvature, gravity):
-    """Along the normal: mass times speed^2 over the radius of curvature, and the weight's share."""
-    angle = math.atan(2 * curvature * x)  # of the wire
+    """Return the force, along the normal: mass times speed^2 over the radius of curvature, and the weight's share."""
+    angle = math.atan(2 * curvature * x)  # of the wire with the horizontal
     bend = 2 * curvature * math.cos(angle) ** 3
     size = mass * (bend * (v / math.cos(angle)) ** 2 + gravity * math.cos(angle))
     return size * np.array([-math.sin(angle), math.cos(angle)])
@@ -44,14 +44,14 @@ def amplitude(x, v, curvature, gravity):
 
 
 def period(amplitude, curvature, gravity):
-    """By Legendre's complete integral of the second kind: over log(tan) of its angle a sum converges exponentially."""
+    """Compute Legendre's complete integral of the second kind by a sum over log(tan), which converges exponentially."""
     tangent, stretch = np.exp(STEP * np.arange(-200, 200)), math.hypot(1, 2 * curvature * amplitude)
     arcs = np.hypot(1, stretch * tangent) * tangent / np.hypot(1, tangent) ** 3
     return 4 * STEP * np.sum(arcs) / math.sqrt(2 * gravity * curvature)
 
 
 def simulate(t, x, v, curvature, gravity):
-    """(n, 2) states, by Lagrange's equation."""
+    """Return (n, 2) states, by Lagrange's equation."""
 
     def rates(_, state):
         x, v = state
@@ -62,7 +62,7 @@ def simulate(t, x, v, curvature, gravity):
 
 
 def energy_of_rows(rows, curvature, gravity):
-    """Of a bead of 1 kg, along a motion."""
+    """Return the energy of a bead of 1 kg along a motion."""
     x, v = rows.T
     return energy(x, v, 1.0, curvature, gravity)
 
@@ -73,7 +73,7 @@ SECOND_NORMAL = "You drew a second force along the normal. No other body exerts 
 
 
 def free_body_diagram(x, mass, curvature, gravity):
-    """Of the bead."""
+    """Return the bead and its forces."""
     point, angle = [x, curvature * x**2], math.atan(2 * curvature * x)
     normal, tangent = (-math.sin(angle), math.cos(angle)), (math.cos(angle), math.sin(angle))
     wrong = (
@@ -86,7 +86,7 @@ def free_body_diagram(x, mass, curvature, gravity):
 
 
 def _wire(x, curvature):
-    """(k, 2, 2) m: the wire around a place."""
+    """Return (k, 2, 2) m, the wire around a place."""
     places = x + np.linspace(-0.6, 0.6, 13) * max(abs(x), 1 / curvature)
     points = np.column_stack([places, curvature * places**2])
     return np.stack([points[:-1], points[1:]], axis=1)

@@ -1,4 +1,4 @@
-"""Hidden inputs of hw13: random cylinders and ramps, and plain ones that tell what random ones do not."""
+"""Hidden inputs of hw13: random cylinders and ramps, and plain ones for mistakes that random ones do not show."""
 
 import math
 from functools import partial
@@ -29,12 +29,12 @@ def cylinder(rng, **fixed):
 
 
 def usual(cylinder):
-    """Size of rates, rad/s."""
+    """Return the scale of rates, rad/s."""
     return math.sqrt((cylinder.get("gravity") or 5.0) / cylinder["radius"])
 
 
 def rolling(rng, count, label="any angle", **fixed):
-    """Each some turns further than the last, both signs of angle and rate."""
+    """Return states, each some turns further than the last, with angles and rates of both signs."""
     bodies = [cylinder(rng, **fixed) for _ in range(count)]
     rates = [rng.choice([-1, 1]) * rng.uniform(0.5, 2) * usual(body) for body in bodies]
     angles = [rng.choice([-1, 1]) * rng.uniform(10 * i, 10 * i + 10) for i in range(count)]
@@ -48,14 +48,14 @@ weightless = partial(rolling, label="no gravity", gravity=0.0)
 
 
 def plain(rng):
-    """Quarter turns, those at rest first, on ramps down and up, G off the centre or not."""
+    """Return quarter turns, those at rest first, on ramps down and up, G off the centre or not."""
     down, centred = cylinder(rng), cylinder(rng, offset=0.0)
     up = {**down, "slope": -down["slope"]}
     return _quarters({"a ramp": down, "a ramp upwards": up, "G at the centre": centred, "parameters of 1": ONES})
 
 
 def level(rng):
-    """The same on level ground and without gravity."""
+    """Return the same on level ground and without gravity."""
     return _quarters({"level ground": cylinder(rng, slope=0.0), "no gravity": cylinder(rng, gravity=0.0)})
 
 
@@ -71,7 +71,7 @@ def _quarters(cylinders):
 
 
 def diagrams(rng):
-    """Any angle, many turns too; G at the centre, level ground, no gravity, and the plain cases."""
+    """Return any angle, also of many turns; G at the centre, level ground, no gravity, and the plain cases."""
     cases = [*rolling(rng, 3), *centred(rng, 1), *flat(rng, 1), *weightless(rng, 1)]
     far = cases[0].replace(-1e3 * cases[0].args[0]).labelled("an angle of many turns")
     level_and_centred = rolling(rng, 1, "level ground, G at the centre", slope=0.0, offset=0.0)
@@ -79,18 +79,18 @@ def diagrams(rng):
 
 
 def _pulled(case):
-    """Whether the ramp must pull the cylinder."""
+    """Return whether the ramp must pull the cylinder."""
     return reference.contact_force(*case.args, **case.kwargs)[1] <= 0
 
 
 def slow(rng):
-    """So slow that the weight presses the cylinder on the ramp."""
+    """Return states so slow that the weight presses the cylinder on the ramp."""
     cases = [case.replace(case.args[0], case.args[1] / 5) for case in rolling(rng, 3) + centred(rng, 2)]
     return [case for case in cases + plain(rng) if not _pulled(case)]
 
 
 def pulled(rng):
-    """G is high and fast; the plain cases, too."""
+    """Return states in which G is high and fast, also of the plain cases."""
     fast = [case.replace(math.pi + rng.uniform(-1, 1), 4 * case.args[1]) for case in rolling(rng, 3)]
     return [case.labelled("a normal force below zero") for case in fast + list(filter(_pulled, plain(rng)))]
 
@@ -99,7 +99,7 @@ def pulled(rng):
 
 
 def runs(rng):
-    """Rolling down, fast enough to pass every top with energy to spare, and rocking in a hollow."""
+    """Return rolling down, fast enough to pass every top with energy to spare, and rocking in a hollow."""
     down = cylinder(rng, slope=rng.uniform(0.2, 0.5))
     start = rng.uniform(-2, 2), rng.uniform(3, 4) * usual(down)
     hollow = cylinder(rng, slope=rng.uniform(0.05, 0.15))
@@ -112,9 +112,9 @@ def runs(rng):
 
 
 def few_times(rng):
-    """Let go at rest at phi = 0, on a ramp and then without slope and gravity, where it stays; a heavy side.
+    """Return a start at rest at phi = 0, on a ramp and then without slope and gravity, where it stays; a heavy side.
 
-    Not few in a long run: odeint takes no more than 500 steps from one to the next unless told to.
+    There are not few times in a long run: odeint makes at most 500 steps from one to the next by default.
     """
     body = cylinder(rng)
     first = Case(uneven(rng, 2 / usual(body), 3), 0.0, 0.0, **body).labelled("a few times, let go at rest at phi = 0")
@@ -123,9 +123,9 @@ def few_times(rng):
 
 
 def _heavy_side(rng):
-    """Between the first two times a heavy side comes down, quickly, and goes up again.
+    """Return a run in which a heavy side comes down quickly between the first two times, and goes up again.
 
-    This takes short steps there, and in all fewer than the 500 of odeint.
+    This needs short steps there, and in all fewer than the 500 of odeint.
     """
     c = cylinder(rng, slope=0.0)
     c["offset"] = c["radius"] * rng.uniform(0.84, 0.86)
@@ -136,21 +136,21 @@ def _heavy_side(rng):
 
 
 def near_lowest(rng):
-    """Let go on level ground. By the linear equation it is off by 3e-3; BDF at 1e-9 by 9e-8."""
+    """Return a start at rest on level ground. The linear equation has an error of 3e-3; BDF at 1e-9 of 9e-8."""
     body = cylinder(rng, slope=0.0)
     t, start = uneven(rng, 6 / usual(body), 2), rng.choice([-1, 1]) * 0.19
     return [Case(t, start, 0.0, **body).labelled("two times, let go near its lowest place on level ground")]
 
 
 def small_rocking(rng):
-    """A small start on level ground."""
+    """Return a small start on level ground."""
     c, angle = cylinder(rng, slope=0.0), rng.uniform(1, 2) * 1e-3
     t = uneven(rng, 15 / reference.rocking_rate(**c), 12)
     return [Case(t, angle, 0.0, **c).labelled("small rocking on level ground")]
 
 
 def many_turns(rng):
-    """The start's energy takes G over every top at no less than 0.5 usual(c)."""
+    """Return a start with the energy to take G over every top at no less than 0.5 usual(c)."""
     c = cylinder(rng, slope=0.0)
     t = uneven(rng, 20 / usual(c), 9)
     return [Case(t, rng.uniform(-2, 2), 3 * usual(c), **c).labelled("many turns on level ground")]

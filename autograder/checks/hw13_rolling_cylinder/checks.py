@@ -12,21 +12,21 @@ from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved
 
 from . import cases, reference
 
-FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms are off by .1
-# solve_ivp at rtol = atol = 1e-9, whatever its method, stays below 1e-7 on these runs; wrong physics is off by .1.
+FORMULA = 1e-9  # of the largest term: solving for the forces costs a few digits of 1e-16; wrong terms make .1
+# solve_ivp at rtol = atol = 1e-9, with any method, has errors below 1e-7 on these runs; wrong physics makes .1.
 TRAJECTORY = 1e-6
 ENERGY = 5e-6  # the same integrators drift by up to 4e-7 on the longer run
-# of the angle turned; solve_ivp at 1e-9 is off by less than 1e-4, states at other times by 3e-2 or more
+# of the angle turned; solve_ivp at 1e-9 has an error below 1e-4, states at other times of 3e-2 or more
 COARSELY = 1e-3
-SHARES = {1e-4: 0.6, 1e-2: 0.3}  # of the drift of the energy
-ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 is off by 4e-5, the square of the amplitude by 3e-5
+SHARES = {1e-4: 0.6, 1e-2: 0.3}  # {drift of the energy: share of the points}
+ROCKING = 5e-4  # of the amplitude: solve_ivp at 1e-9 has an error of 4e-5, the linear equation of 3e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
 
 
 def rate2(case, _=None):
-    """g/r + phi_dot^2, whatever of it the function is given."""
+    """Return g/r + phi_dot^2, as far as the case has these."""
     return sum(rate**2 for rate in case.args[1:2]) + cases.usual(case.kwargs) ** 2
 
 
@@ -39,7 +39,7 @@ def force(case, _=None):
 
 
 def rolled(case, states):
-    """The angle that it turns, a radian at least."""
+    """Return the angle that the cylinder turns, at least a radian."""
     return max(1.0, np.ptp(states[:, 0]))
 
 
@@ -65,7 +65,7 @@ def forces_on_the_cylinder(student, rng):
 
 
 def part_of_force(student, case, result, expected):
-    """Which of along and normal is off."""
+    """Return which of along and normal is wrong."""
     along, normal = np.abs(np.subtract(result, expected)) > FORMULA * force(case)
     if along and normal:
         if not is_right(student.acceleration, reference, [case]):

@@ -1,4 +1,4 @@
-"""Right functions of hw13 that share helpers, in one of which a student may make the mistake of several functions."""
+"""Right functions of hw13 that share helpers; diagnosis tries mistakes in these, which change several functions."""
 
 import math
 
@@ -34,7 +34,7 @@ def energy(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
 
 def _solved(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
-    """phi'' by the moment about G of along and normal, which the momentum balances of G give: these can be traced."""
+    """Compute phi'' by the moment about G of along and normal, which momentum balances of G give; it can be traced."""
     x, y = _arm(phi, radius, offset)
     along = mass * gravity * math.sin(slope) + mass * x * phi_dot**2
     normal = mass * gravity * math.cos(slope) + mass * (radius - y) * phi_dot**2
@@ -43,5 +43,5 @@ def _solved(phi, phi_dot, *, mass, radius, offset, inertia, slope, gravity):
 
 
 def _arm(phi, radius, offset):
-    """From the contact to G."""
+    """Return G from the contact."""
     return -offset * math.sin(phi), radius - offset * math.cos(phi)

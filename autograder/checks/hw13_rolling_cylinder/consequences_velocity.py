@@ -1,4 +1,4 @@
-"""Right functions of hw13 by the velocity of G for phi' = 1, in one part of which a mistake of several may be."""
+"""Right functions of hw13 by the velocity of G for phi' = 1; diagnosis tries mistakes in its parts, too."""
 
 import numpy as np
 

@@ -10,11 +10,11 @@ from . import reference
 
 
 def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
-    """The contact is at the origin of the paper; the ramp goes down to the right."""
+    """Draw the contact at the origin of the paper, and the ramp down to the right."""
     down_the_ramp, off_it = np.array([math.cos(slope), -math.sin(slope)]), np.array([math.sin(slope), math.cos(slope)])
 
     def at(x, y):
-        """Of the ramp's coordinates from the contact."""
+        """Return the point with these coordinates of the ramp, from the contact."""
         return x * down_the_ramp + y * off_it
 
     C, centre, G = at(0, 0), at(0, radius), at(*reference.arms(phi, radius, offset)[0])

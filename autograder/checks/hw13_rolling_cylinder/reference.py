@@ -1,4 +1,4 @@
-"""What is right in hw13, by another route than the solution's: with the force, from the balances of momentum about G.
+"""Reference functions of hw13, unlike the solution: with the force, from the balances of momentum about G.
 
 Axes: x down the ramp, y off it; a cylinder that rolls down turns clockwise.
 """
@@ -13,7 +13,7 @@ from tam570_grader.checks.diagrams import weight as gravity_force
 
 
 def arms(phi, radius, offset):
-    """G from the contact C, and its first and second derivatives over phi (G from the ramp's origin moves along)."""
+    """Return G from the contact C, and the first and second derivatives over phi of G from the ramp's origin."""
     c, s = offset * np.cos(phi), offset * np.sin(phi)
     return np.array([-s, radius - c]), np.array([radius - c, s]), np.array([s, c])
 
@@ -27,11 +27,11 @@ def weight(mass, gravity, slope):
 
 
 def balanced(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
-    """(phi'', along, normal): m a = weight + contact force, I phi'' = its moment about G."""
+    """Return (phi'', along, normal): m a = weight + contact force, I phi'' = its moment about G."""
     arm, first, second = (it.tolist() for it in arms(phi, radius, offset))
     from_G = -arm[0], -arm[1]  # to C
     pull = weight(mass, gravity, slope).tolist()
-    # the force, but for m first phi''
+    # the force without m first phi''
     of_rates = [mass * it * phi_dot**2 - w for it, w in zip(second, pull, strict=True)]
     phi_ddot = clockwise(from_G, of_rates) / (inertia - mass * clockwise(from_G, first))
     along, normal = (mass * it * phi_ddot + rest for it, rest in zip(first, of_rates, strict=True))
@@ -57,14 +57,14 @@ def naive_contact_acceleration(phi, mass, radius, offset, inertia, slope, gravit
 
 
 def missing_moment(phi, phi_dot, mass, radius, offset):
-    """What is left of I^C phi'' where there is no weight: M_C is zero. It is the same for any inertia."""
+    """Return what is left of I^C phi'' without weight, where M_C is zero. It is the same for any inertia."""
     inertia = mass * radius**2
     phi_ddot = acceleration(phi, phi_dot, mass=mass, radius=radius, offset=offset, inertia=inertia, slope=0, gravity=0)
     return -contact_inertia(phi, mass, radius, offset, inertia) * phi_ddot
 
 
 def energy(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
-    """Of rows, too."""
+    """Return the energy, J, also of rows."""
     (x, y), first, _ = arms(phi, radius, offset)
     position = np.array([x + radius * phi, y - radius])  # of G from where the centre is at phi = 0
     inertia_about_C = mass * np.sum(first**2, axis=0) + inertia
@@ -72,7 +72,7 @@ def energy(phi, phi_dot, mass, radius, offset, inertia, slope, gravity):
 
 
 def simulate(t, *start, **cylinder):
-    """(n, 2) states at t, within 1e-9."""
+    """Return (n, 2) states at t, with errors below 1e-9."""
 
     def rates(_, state):
         return state[1], acceleration(*state, **cylinder)
@@ -81,7 +81,7 @@ def simulate(t, *start, **cylinder):
 
 
 def rocking_rate(mass, radius, offset, inertia, slope, gravity):
-    """On level ground: the inertia is that about C at phi = 0."""
+    """Return the rate on level ground, where the inertia is that about C at phi = 0."""
     return math.sqrt(mass * gravity * offset / contact_inertia(0.0, mass, radius, offset, inertia))
 
 
@@ -97,7 +97,7 @@ ACROSS_THE_RAMP = "You drew the weight straight into the ramp. It is vertical, a
 
 
 def free_body_diagram(phi, mass, radius, offset, slope, gravity):
-    """Of the cylinder, from its centre; the forces at the contact are normal and friction, or one that is unknown."""
+    """Return the cylinder, from its centre, and its forces: at the contact normal and friction, or an unknown one."""
     contact, down = np.array([0.0, -radius]), weight(1.0, 1.0, slope)
     G, bare = contact + arms(phi, radius, offset)[0], offset == 0
     pull = gravity_force(G, "G", gravity, down)

@@ -1,4 +1,4 @@
-"""Hidden inputs of hw14: disks, hoops and wheels in any motion, and plain motions that tell what random ones do not."""
+"""Hidden inputs of hw14: disks, hoops and wheels in random motion, and plain motions for other mistakes."""
 
 import math
 
@@ -10,7 +10,7 @@ from . import reference
 
 SHAPES = {"a thin uniform disk": (0.25, 0.5), "a hoop": (0.5, 1.0), "a wheel": None}
 AGAIN = "the same motion of another disk"
-PLAIN = {  # of the rates of yaw, tilt, roll; the tilts
+PLAIN = {  # {label: (factors of the rates of yaw, tilt, roll; tilts)}
     "a disk at rest": ((0, 0, 0), (reference.RIGHT, 0.9)),
     "a disk that only rolls": ((0, 0, 1), (reference.RIGHT, 2.0)),
     "a disk that only yaws": ((1, 0, 0), (reference.RIGHT, 0.6)),
@@ -29,13 +29,13 @@ def a_disk(rng, shape="a wheel"):
 
 
 def a_state(rng, disk, tilt, rates=()):
-    """An Euler state; without rates, which are of the usual size, they are random."""
+    """Return an Euler state; `rates` are in units of the usual size, and random by default."""
     position, (yaw, roll) = rng.uniform(-2, 2, 2), rng.uniform(-4, 4, 2)
     return np.array([*position, yaw, tilt, roll, *(reference.usual(disk) * np.array(rates or rng.uniform(-2, 2, 3)))])
 
 
 def instants(rng):
-    """Euler states of any motion, and plain ones: at rest, upright, without yaw or roll, whole numbers, far away."""
+    """Return Euler states of any motion, and plain ones: at rest, upright, without yaw or roll, integers, far away."""
     disks = [(shape, a_disk(rng, shape)) for shape in SHAPES]
     cases = [Case(a_state(rng, disk, rng.uniform(0.3, 2.8)), **disk).labelled(shape) for shape, disk in disks]
     cases.append(cases[-1].replace(gravity=0.0).labelled("no gravity"))
@@ -52,7 +52,7 @@ def instants(rng):
 
 
 def flat_and_upright(rng):
-    """Nearly flat disks, and one that spins upright on a point."""
+    """Return nearly flat disks, and one that spins upright on a point."""
     disk = a_disk(rng)
     flat = [Case(a_state(rng, disk, tilt), **disk).labelled("a nearly flat disk") for tilt in (1e-3, math.pi - 1e-3)]
     upright = Case(a_state(rng, disk, reference.RIGHT, (rng.uniform(0.5, 2), 0, 0)), **disk)
@@ -60,12 +60,12 @@ def flat_and_upright(rng):
 
 
 def timed(cases):
-    """For the functions that are given a time, too."""
+    """Return a function for the same cases with a time before the state."""
     return lambda rng: [case.with_leading(0.0) for case in cases(rng)]
 
 
 def by_matrix(cases):
-    """The same with matrix states in the place of Euler states, the last argument."""
+    """Return a function for the same cases with matrix states in place of Euler states, the last argument."""
     return lambda rng: [
         case.replace(*case.args[:-1], reference.matrix_state(case.args[-1], case.kwargs["radius"]))
         for case in cases(rng)
@@ -77,7 +77,7 @@ def by_matrix(cases):
 
 @once
 def a_motion(rng, span, samples):
-    """A wheel's motion that stays away from the flat; span of sqrt(a/g)."""
+    """Return a wheel's motion that stays away from the flat; span of sqrt(a/g)."""
     disk = a_disk(rng)
     t = uneven(rng, span / reference.usual(disk), samples, rng.uniform(0.5, 3))
     while True:
@@ -100,7 +100,7 @@ def stays_up(t, state, disk):
 
 
 def simulated(rng):
-    """A general motion; few times, let go to fall almost flat; other times; another disk, without gravity."""
+    """Return a general motion; few times, a start at rest that falls almost flat; changed calls, without gravity."""
     (motion,) = a_motion(rng, 2.0, 16)
     disk = motion.kwargs
     t = rng.uniform(0.5, 3) + np.array([0.0, 0.2, 0.6]) / reference.usual(disk)
@@ -113,7 +113,7 @@ def simulated(rng):
 
 
 def steady(rng):
-    """Leans, precessions and spins, steady or not, and some with a zero."""
+    """Return leans, precessions and spins, steady or not, and some with a zero."""
     disks = [(shape, a_disk(rng, shape)) for shape in SHAPES]
     cases = [
         Case(rng.uniform(-1.4, 1.4), *(reference.usual(disk) * rng.uniform(0.2, 2, 2) * signs), **disk).labelled(shape)
@@ -134,14 +134,14 @@ def steady(rng):
 
 
 def wheels(rng):
-    """Disks alone."""
-    shapes = (*SHAPES, [*SHAPES][-1])  # two wheels: what is wrong for these alone has a name, too
+    """Return disks without a motion."""
+    shapes = (*SHAPES, [*SHAPES][-1])  # two wheels, so that a mistake that is wrong for these alone is named, too
     cases = [Case(**a_disk(rng, shape)).labelled(shape) for shape in shapes]
     return [*cases, cases[-1].replace(gravity=0.0).labelled("a wheel without gravity")]
 
 
 def speeds(rng):
-    """From rest to twice the critical speed; without gravity; the same speed of another disk."""
+    """Return speeds from rest to twice the critical speed; without gravity; the same speed of another disk."""
     cases, disks = [], wheels(rng)
     for disk, ratio in zip([*disks[:3], disks[0]], (0.0, 0.5, 1.05, 2.0), strict=True):
         pace = f"{'slower' if ratio < 1 else 'faster'} than the critical speed" if ratio else "at rest"
@@ -151,7 +151,7 @@ def speeds(rng):
 
 
 def pictures(rng):
-    """Cases of the same disk and number of sides; five always, for a star of five sides is as regular."""
+    """Yield cases of the same disk and number of sides; five always, because a star of five sides is as regular."""
     for sides in (int(rng.integers(7, 30)), 3, 4, 5, 6):
         disk, label = a_disk(rng), f"{sides} sides" if sides < 7 else "many sides"
         states = [a_state(rng, disk, tilt) for tilt in (rng.uniform(0.6, 2.5), reference.RIGHT)]

@@ -16,15 +16,15 @@ from . import cases, reference
 
 POINTWISE = 1e-9  # careful formulas agree to 1e-13, a numpy.linalg.solve of nine unknowns to 1e-12
 FLAT = 1e-8  # at a tilt of 1e-3 a linear system for the angles loses six of its sixteen digits
-LINEAR = 1e-7  # the five-point difference is good to 1e-11; a student's own difference to 1e-9
-# Relative limits of motions, with the most that solve_ivp at rtol = atol = 1e-9 was off by in 120 draws, which is by
-# BDF; LSODA is off by a tenth of it, and the others by less. RK45 at 1e-6 is off by 5e-6 or more where it is followed.
+LINEAR = 1e-7  # the five-point difference has an error of 1e-11; a student's own difference of 1e-9
+# Relative tolerances of motions, with the largest error of solve_ivp at rtol = atol = 1e-9 in 120 draws, which is by
+# BDF; LSODA has a tenth of it, the others less. RK45 at 1e-6 has an error of 5e-6 or more if the motion is compared.
 TRAJECTORY = 5e-6  # 5e-7
-KEPT = 1e-6  # 8e-8, of what does not change: omega along e2 and e3, and the height
+KEPT = 1e-6  # 8e-8, of constants: omega along e2 and e3, and the height
 AGREED = 2e-5  # 2e-6, of two simulations over a longer time
 ROTATION = 2e-5  # 1.2e-6, of R^T R over that time
 ENERGY = 5e-6  # 4.3e-7, over a longer time
-COARSELY = 1e-3  # 1e-6 over that time; the centre in the place of the contact is off by 3e-2 or more
+COARSELY = 1e-3  # 1e-6 over that time; with the centre in place of the contact the error is 3e-2 or more
 
 compare = compare_with(reference, tolerance=POINTWISE)
 compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)
@@ -40,7 +40,7 @@ def rate(case, _=None):
 
 
 def second(case, _=None):
-    """Size of angular accelerations."""
+    """Return the scale of angular accelerations."""
     state, disk = euler_of(case), case.kwargs
     return (np.abs(state[5:]).sum() ** 2 + disk["gravity"] / disk["radius"]) / np.sin(state[3])
 
@@ -66,7 +66,7 @@ def size(case, growth):
 
 
 def by_largest(quantity, unit, where, least=absolute, turns=False):
-    """A column of a state or a motion, its scale the largest number there, and no less than this."""
+    """Return a column of a state or a motion, with the largest number there, or at least `least`, as its scale."""
     return Column(quantity, unit, where, turns, lambda case, states: max(np.abs(states[..., where]).max(), least(case)))
 
 
@@ -121,7 +121,7 @@ INTEGRALS = Invariant(CARRIED, "rad/s", reference.two_integrals, rate, KEPT)
 
 
 def wrong_place(case, result, expected):
-    """What is exchanged in R or omega, if it can be told."""
+    """Return what is exchanged in R or omega, if the numbers show it."""
     x, y, yaw, tilt, roll, *rates = case.args[0]
     exchanged = reference.matrix_state([x, y, roll, tilt, yaw, *rates], **case.kwargs)[reference.MATRIX]
     if np.allclose(result[reference.MATRIX], exchanged):
@@ -140,14 +140,14 @@ def matrix_state_places_the_disk(student, rng):
 
 
 def along(quantity, off, state, limit):
-    """Along which of e1, e2, e3 a vector is off, if it is not along all of them; "" if it is."""
+    """Return along which of e1, e2, e3 a vector is wrong; "" if along all of them or none."""
     wrong = np.abs(reference.frame(state) @ off) > limit
     names = [name for name, is_off in zip(("e1", "e2", "e3"), wrong, strict=True) if is_off]
     return f"{quantity} is wrong along {' and '.join(names)} only." if 0 < len(names) < 3 else ""
 
 
 def wrong_turning(otherwise, case, result, expected):
-    """Where omega' is off, to which the second derivatives of the angles contribute."""
+    """Return where omega' is wrong, to which the second derivatives of the angles contribute."""
     state, off = euler_of(case), result - expected
     e1, _, e3 = reference.frame(state)
     turning = off[reference.OMEGA] if len(off) == 15 else off[5] * reference.Z + off[6] * e1 + off[7] * e3
@@ -246,7 +246,7 @@ def wireframe_is_a_rolling_disk(student, rng):
 
 
 def judge_wireframe(matrix_state, case, lines):
-    """Where the diameters are in the disk, rad."""
+    """Return where the diameters are in the disk, rad; fail for wrong segments."""
     (state,), size, sides = case.args, case.kwargs["radius"], case.kwargs["sides"]
     expect(len(lines), sides + 2, tolerance=0, quantity="the number of segments")
     angles, off = reference.in_the_disk(lines, reference.matrix_state(state, size), size)
@@ -260,7 +260,7 @@ def judge_wireframe(matrix_state, case, lines):
     on_the_rim(off[:sides], quantity="the distance from the rim of an end of a side", hint=where)
     radii = "A diameter goes from rim to rim." if off[sides:].min() <= POINTWISE * size else ""
     on_the_rim(off[sides:], quantity="the distance from the rim of an end of a diameter", hint=radii)
-    angle = partial(expect, tolerance=10 * POINTWISE, unit="rad")  # of points that are off by POINTWISE
+    angle = partial(expect, tolerance=10 * POINTWISE, unit="rad")  # for points with errors of POINTWISE
     across = reference.turned(angles[:, 1] - angles[:, 0], 2 * np.pi)
     step = 2 * np.pi / sides
     spans = [step] * sides + [np.pi] * 2
@@ -286,7 +286,7 @@ def energy_is_kinetic_and_potential(student, rng):
 
 
 def wrong_force(case, result, expected):
-    """What is wrong with the force, if it can be told."""
+    """Return what is wrong with the force, if the numbers show it."""
     weight = case.kwargs["mass"] * case.kwargs["gravity"] * reference.Z
     limit = POINTWISE * force(case)
     if abs(np.linalg.norm(result - weight) - np.linalg.norm(expected - weight)) <= limit:

@@ -1,4 +1,4 @@
-"""Right functions of hw14 by vectors in space, in terms of others, in which a student may make one mistake."""
+"""Right functions of hw14 by vectors in space, in terms of others; diagnosis tries mistakes in these, too."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ Z = np.array([0.0, 0.0, 1.0])
 
 
 def euler_state_derivative(t, state, *, mass, radius, inertia, gravity):
-    """Rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, by roll'."""
+    """Use rates of omega = yaw' z + tilt' e1 + roll' e3, and the velocity of the contact, by roll'."""
     e1, e2, e3 = _axes(state)
     omega, _ = _turning(state)
     omega_rate, _ = _balances(state, mass, radius, inertia, gravity)
@@ -37,7 +37,7 @@ def contact_force(state, *, mass, radius, inertia, gravity):
 
 
 def matrix_state_derivative(t, state, *, radius, **disk):
-    """omega' of omega = yaw' z + tilt' e1 + roll' e3, by the second derivatives of the angles."""
+    """Compute omega' of omega = yaw' z + tilt' e1 + roll' e3 by the second derivatives of the angles."""
     R, omega = state[3:12].reshape(3, 3), state[12:]
     e3, s = R[:, 2], np.hypot(R[0, 2], R[1, 2])
     e1 = np.array([-e3[1], e3[0], 0.0]) / s
@@ -69,7 +69,7 @@ def _axes(state):
 
 
 def _turning(state):
-    """omega of the disk, and of the frame e1, e2, e3."""
+    """Return omega of the disk, and of the frame e1, e2, e3."""
     _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
     e1, e2, e3 = _axes(state)
     level = tilt_rate * e1 + yaw_rate * np.sin(tilt) * e2
@@ -83,7 +83,7 @@ def _about_centre(e3, inertia):
 
 
 def _balances(state, mass, radius, inertia, gravity):
-    """omega' and the force, by the moment of the force and the rate of angular momentum about the centre."""
+    """Return omega' and the force, by the moment of the force and the rate of angular momentum about the centre."""
     _, e2, e3 = _axes(state)
     omega, frame_rate = _turning(state)
     arm, about_centre = radius * e2, _about_centre(e3, inertia)

@@ -12,7 +12,7 @@ def energy(state, *, mass, radius, inertia, gravity):
 
 
 def contact_force(state, *, mass, radius, inertia, gravity):
-    """By the velocity of the centre a moment before and after."""
+    """Difference the velocity of the centre a moment before and after."""
     placed, disk = matrix_state(state, radius=radius), {"mass": mass, "inertia": inertia, "gravity": gravity}
     step = 1e-6 * np.asarray(matrix_state_derivative(0.0, placed, radius=radius, **disk))
     after = matrix_state_derivative(0.0, placed + step, radius=radius, **disk)

@@ -11,11 +11,11 @@ X, Y, Z = np.eye(3)
 
 
 def figure(yaw=0.6, tilt=1.95, roll=0.6, radius=1.0):
-    """The contact is at (0.9, 0.6)."""
+    """Draw the disk with its contact at (0.9, 0.6)."""
     state = np.array([0.9, 0.6, yaw, tilt, roll, 0.0, 0.0, 0.0])
     contact, placed = np.array([0.9, 0.6, 0.0]), reference.matrix_state(state, radius)
     centre, R, (e1, e2, e3) = placed[reference.CENTRE], placed[reference.MATRIX].reshape(3, 3), reference.frame(state)
-    heading = np.array([-e1[1], e1[0], 0.0])  # of the disk's ground side
+    heading = np.array([-e1[1], e1[0], 0.0])  # on the ground, across the track
     shown = Figure(
         "The rolling disk",
         "The ground with space axes x, y and z up. The disk of radius a touches the ground at C; its centre is G. e1"

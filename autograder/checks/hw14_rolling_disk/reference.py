@@ -1,4 +1,4 @@
-"""What is right in hw14, from the angular momentum about the contact; w1, w2, w3 is omega along e1, e2, e3."""
+"""Reference functions of hw14, by the angular momentum about the contact; w1, w2, w3 is omega along e1, e2, e3."""
 
 import math
 
@@ -10,11 +10,11 @@ from tam570_grader.checks.diagrams import Force, FreeBody, weight
 Z = np.array([0.0, 0.0, 1.0])
 RIGHT = math.pi / 2
 CENTRE, MATRIX, OMEGA = slice(0, 3), slice(3, 12), slice(12, 15)
-TERMS = np.arange(400)  # of a series in cos(tilt): to rounding where sin(tilt) is 0.4
+TERMS = np.arange(400)  # of a series in cos(tilt), exact up to rounding where sin(tilt) is 0.4
 
 
 def frame(state):
-    """Rows e1, e2, e3."""
+    """Return the rows e1, e2, e3."""
     yaw, tilt = state[2:4]
     e1 = np.array([math.cos(yaw), math.sin(yaw), 0.0])
     across = np.array([-e1[1], e1[0], 0.0])
@@ -23,7 +23,7 @@ def frame(state):
 
 
 def components(state, functions=np):
-    """w1, w2, w3; of columns, too. functions : math, which is fast, or numpy."""
+    """Return w1, w2, w3, also of columns. functions : math, which is fast, or numpy."""
     _, _, _, tilt, _, yaw_rate, tilt_rate, roll_rate = state
     return tilt_rate, yaw_rate * functions.sin(tilt), roll_rate + yaw_rate * functions.cos(tilt)
 
@@ -37,7 +37,7 @@ def matrix_state(state, radius):
 
 
 def euler_state(state, radius):
-    """The Euler state of a matrix state."""
+    """Return the Euler state of a matrix state."""
     R, w = np.reshape(state[MATRIX], (3, 3)), np.asarray(state[OMEGA])
     s = math.hypot(*R[:2, 2])
     yaw, tilt = math.atan2(R[0, 2], -R[1, 2]), math.atan2(s, R[2, 2])
@@ -49,7 +49,7 @@ def euler_state(state, radius):
 
 
 def component_rates(state, *, mass, radius, inertia, gravity):
-    """w1', w2', w3': the contact, about which the weight alone has a moment, moves along -e1 at a roll'."""
+    """Return w1', w2', w3': the contact, about which only the weight has a moment, moves along -e1 at a roll'."""
     (A, C), m = inertia, mass * radius**2
     w1, w2, w3 = components(state, math)
     tilt, roll_rate = state[3], state[7]
@@ -70,7 +70,7 @@ def euler_state_derivative(_, state, **disk):
 
 
 def accelerations(state, **disk):
-    """omega' and the acceleration of the centre, which is at a e2 from the contact, in space axes."""
+    """Return omega' and the acceleration of the centre, which is at a e2 from the contact, in space axes."""
     omega, arm, E = np.array(components(state)), [0.0, disk["radius"], 0.0], frame(state)
     turning = omega - [0.0, 0.0, state[7]]
     omega_rate = component_rates(state, **disk) + np.cross(turning, omega)
@@ -89,7 +89,7 @@ def multiplier_state_derivative(t, state, **disk):
 
 
 def energy(state, *, mass, radius, inertia, gravity):
-    """Of columns, too."""
+    """Return the energy, J, also of columns."""
     (A, C), (w1, w2, w3) = inertia, components(state)
     moving, turning = mass * radius**2 * (w1**2 + w3**2), A * (w1**2 + w2**2) + C * w3**2
     return (moving + turning) / 2 + mass * gravity * radius * np.sin(state[3])
@@ -100,7 +100,7 @@ def contact_force(state, **disk):
 
 
 def simulate_euler(t, state, rtol=1e-10, **disk):
-    """(n, 8) Euler states; ArithmeticError where the disk falls flat."""
+    """Return (n, 8) Euler states; raise ArithmeticError if the disk falls flat."""
 
     def rates(time, row):
         return euler_state_derivative(time, row.tolist(), **disk)  # in plain floats, which are fast
@@ -109,13 +109,13 @@ def simulate_euler(t, state, rtol=1e-10, **disk):
 
 
 def simulate_matrix(t, state, **disk):
-    """(n, 15) matrix states."""
+    """Return (n, 15) matrix states."""
     radius = disk["radius"]
     return np.array([matrix_state(row, radius) for row in simulate_euler(t, euler_state(state, radius), **disk)])
 
 
 def two_integrals(rows, *, mass, radius, inertia, gravity):
-    """(n, 2): w2 and w3 carried to the upright disk by their linear equations in the tilt (Appell, Korteweg).
+    """Return (n, 2): w2 and w3 carried to the upright disk by their linear equations in the tilt (Appell, Korteweg).
 
     dw3 = share w2, dw2 = C/A w3 - w2/tan(tilt): w3 is a Legendre function of x = cos(tilt), here its series about 0.
     """
@@ -125,7 +125,7 @@ def two_integrals(rows, *, mass, radius, inertia, gravity):
     weights[2::2], weights[3::2] = np.cumprod(ratios[:-2:2]), np.cumprod(ratios[1:-2:2])
     powers = x**TERMS
     summands, slopes = weights * powers, (TERMS * weights)[1:] * powers[:, :-1]
-    w3 = [summands[:, first::2].sum(axis=1) for first in (0, 1)]  # of w3 = 1 and of w2 = -1/share upright
+    w3 = [summands[:, first::2].sum(axis=1) for first in (0, 1)]  # for w3 = 1, and for w2 = -1/share, upright
     w2 = [-np.sin(rows[:, 3]) / share * slopes[:, first::2].sum(axis=1) for first in (1, 0)]
     turning = np.transpose(components(rows.T)[1:])[..., None]
     upright = np.linalg.solve(np.moveaxis(np.array([w2, w3]), 2, 0), turning)[..., 0]
@@ -133,13 +133,13 @@ def two_integrals(rows, *, mass, radius, inertia, gravity):
 
 
 def not_a_rotation(rows, **_):
-    """(n, 3, 3): R^T R."""
+    """Return (n, 3, 3), R^T R."""
     R = rows[:, MATRIX].reshape(-1, 3, 3)
     return R.transpose(0, 2, 1) @ R
 
 
 def above_the_ground(rows, *, radius, **_):
-    """(n,) m: the height of the centre over that of a disk on the ground."""
+    """Return (n,) m, the height of the centre over that of a disk on the ground."""
     return rows[:, 2] - radius * np.hypot(rows[:, 5], rows[:, 8])
 
 
@@ -147,13 +147,13 @@ def above_the_ground(rows, *, radius, **_):
 
 
 def steady_residual(lean, precession, spin, **disk):
-    """Of hw11's motion."""
+    """Return tilt'' of hw11's motion."""
     state = np.array([0, 0, 0, lean + RIGHT, 0, precession, 0, spin + precession * math.sin(lean)])
     return euler_state_derivative(0, state, **disk)[6]
 
 
 def growth_rate_squared(speed, **disk):
-    """d(tilt'')/d(tilt) at w2 = C/A spin d(tilt), the balance about e2; by a five-point difference."""
+    """Return d(tilt'')/d(tilt) at w2 = C/A spin d(tilt), the balance about e2; by a five-point difference."""
     spin, h = speed / disk["radius"], 1e-3
 
     def second(lean):
@@ -164,13 +164,13 @@ def growth_rate_squared(speed, **disk):
 
 
 def critical_speed(**disk):
-    """Where growth, linear in the square of the speed, is zero."""
+    """Return the speed at which growth, linear in the square of the speed, is zero."""
     still, moving = growth_rate_squared(0.0, **disk), growth_rate_squared(1.0, **disk)
     return math.sqrt(still / (still - moving))
 
 
 def usual(disk):
-    """Size of angular rates, rad/s."""
+    """Return the scale of angular rates, rad/s."""
     return math.sqrt((disk["gravity"] or 10.0) / disk["radius"])
 
 
@@ -178,18 +178,18 @@ def usual(disk):
 
 
 def turned(angles, by):
-    """Angles less a whole number of `by`, between -by/2 and by/2."""
+    """Return the angles less a whole number of `by`, between -by/2 and by/2."""
     return (angles + by / 2) % by - by / 2
 
 
 def in_the_disk(points, placed, radius):
-    """Angles of points in the plane of a disk of this matrix state, and how far the points are from the rim, m."""
+    """Return the angles of points in the plane of a disk of this matrix state, and their distances from the rim, m."""
     x, y, z = np.moveaxis((points - placed[CENTRE]) @ np.linalg.pinv(placed[MATRIX].reshape(3, 3)).T, -1, 0)
     return np.arctan2(y, x), np.hypot(np.hypot(x, y) - radius, z)
 
 
 def free_body_diagram(state, mass, radius, gravity):
-    """Of the disk; a disk at rest without gravity is not pushed by the ground."""
+    """Return the disk and its forces; the ground does not push a disk at rest without gravity."""
     contact = np.array([state[0], state[1], 0.0])
     centre = contact + radius * frame(state)[1]
     ground = Force("the force of the ground", contact, "the contact", acts=gravity != 0 or bool(np.any(state[5:])))
