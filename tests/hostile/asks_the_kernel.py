@@ -1,4 +1,4 @@
-"""Makes system calls that escape a sandbox, leave data behind a process, or take memory that no limit counts.
+"""Makes system calls that escape a sandbox, store data beyond a process, or take memory that no limit counts.
 
 Kernel modules, file handles, io_uring, userfaultfd, BPF, mounts, host names; keys, which the next student or the
 teacher could read because keyrings have no namespace; shared memory segments and anonymous files.

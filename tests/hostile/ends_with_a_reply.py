@@ -1,7 +1,7 @@
 """Writes replies when its process ends (atexit, finalizers, destructors of module attributes), or delays the exit.
 
-Published against graders that trust the last output (Gradema's page on security: a submission changes the results
-after the grader has written them).
+Published against graders that trust the last output (Gradema's page on security: the results are changed
+without the knowledge of the grader).
 
 deserves: 10
 """
