@@ -1,11 +1,11 @@
-# The two commands of a fresh machine: `make demo` and `make test`. Both make .venv if it is not there.
+# On a new machine, start with `make demo` or `make test`; both create .venv if it does not exist.
 
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 CLASS := build/sample_class
 export OPENBLAS_NUM_THREADS := 1
-unexport PYTHONDONTWRITEBYTECODE  # each command that a test starts would compile all that it imports
+unexport PYTHONDONTWRITEBYTECODE  # otherwise each command that a test starts compiles all its imports
 
 .PHONY: demo test every verify docs release bubblewrap clean
 
@@ -22,7 +22,7 @@ test: $(VENV)/ready bubblewrap
 	$(BIN)/tam570-grader stubs --check
 	$(BIN)/pytest -q -n 2 --dist loadgroup
 
-# The tests that `make test` leaves out.
+# Run the tests that `make test` leaves out.
 every: $(VENV)/ready bubblewrap
 	$(BIN)/pytest -q -n 2 --dist loadgroup -m slow
 
@@ -41,14 +41,14 @@ verify: test every
 	$(BIN)/python benchmarks/run_time_against_error.py --peers
 	$(BIN)/python benchmarks/run_time_for_pages.py
 
-# The site, into build/site: warnings are errors, and every link is followed.
+# Build the site in build/site, with warnings as errors, and follow every link.
 docs: $(VENV)/docs
 	rm -rf build/site
 	$(BIN)/sphinx-build -q -W --keep-going -j auto -b html docs build/site
 	$(BIN)/python docs/links.py build/site
 	@echo "Open build/site/index.html"
 
-# A wheel and an sdist into dist/, tried in a bare environment of each Python that is here.
+# Build a wheel and an sdist in dist/, and try them in a bare environment of each installed Python.
 release: $(VENV)/ready
 	$(BIN)/python .ci/release.py
 

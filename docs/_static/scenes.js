@@ -1,5 +1,5 @@
 "use strict";
-// Near the screen, a still is replaced by its scene as soon as that is loaded; away from it, the still returns.
+// Replace a still by its scene near the viewport, as soon as the scene has loaded; restore the still away from it.
 function play(figure) {
   if (figure.querySelector("iframe")) return;
   const frame = document.createElement("iframe");
@@ -18,7 +18,7 @@ function stop(figure) {
 const watched = new IntersectionObserver((entries) => {
   for (const {target, isIntersecting} of entries) (isIntersecting ? play : stop)(target);
 }, {rootMargin: "100px"});
-// The arrows that open the theme's menus have no label.
+// The theme gives the arrows that open its menus no label.
 document.querySelectorAll("details > summary").forEach((summary) => {
   const link = summary.closest("li")?.querySelector("a");
   if (!summary.textContent.trim() && link) summary.setAttribute("aria-label", `Pages of ${link.textContent.trim()}`);
