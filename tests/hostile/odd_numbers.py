@@ -1,4 +1,4 @@
-"""Returns extreme numbers: an integer of 4001 digits, NaNs with a payload, infinity.
+"""Returns extreme numbers: an integer of 4001 digits, NaNs with a payload, infinity, negative zero, a complex NaN.
 
 Published against comparisons of the form not (difference > tolerance), which NaN passes.
 
@@ -21,4 +21,4 @@ turn = 0
 def skew(v):
     global turn
     turn += 1
-    return ANSWERS[turn % 3]
+    return ANSWERS[turn % len(ANSWERS)]
