@@ -193,7 +193,7 @@ def plain_paths(rng):
 
 
 def periods(label, *edges, below=None):
-    """Return a function for amplitudes between successive edges, or so far below an angle; the last rod is 1 m long."""
+    """Return a function for amplitudes between successive edges, or by these below an angle; the last rod has 1 m."""
 
     def drawn(rng):
         rods = [*(rod(rng) for _ in edges[2:]), {"length": 1.0, "gravity": 1.0}]

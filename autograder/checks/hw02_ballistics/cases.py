@@ -216,7 +216,7 @@ def usual_speeds(rng):
 
 
 def slow_speeds(rng):
-    """Return speeds with no drag; below a tenth of the terminal speed; about it, light or in weak gravity; and changes.
+    """Return no drag; speeds below a tenth of the terminal one; about it, light or in weak gravity; and changed calls.
 
     The third slow one is from .007 to .01, where a series of first order in the drag has an error of 5e-6 or more.
     """

@@ -36,7 +36,7 @@ def extent(p):
 
 
 def violation(definition, p, c):
-    """Return the size of the product that vanishes if rate = moment; if it is zero up to rounding; if surely not."""
+    """Return the size of the product that vanishes if rate = moment; whether it is zero; whether it surely is not."""
     if definition == "b":  # -v_C x m v_P
         first, other = derivative(c), derivative(p)
         rounded = extent(first) * extent(other)

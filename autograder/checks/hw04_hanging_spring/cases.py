@@ -23,7 +23,7 @@ PLAIN: dict[str, Callable[..., tuple[object, object]]] = {
     "in the plane y = 0": lambda r, v, centre: (r * [1, 0, 1], v * [1, 0, 1]),
 }  # {label: start(random position, random velocity, equilibrium) -> position, velocity}
 C, S = math.cos(1.0), math.sin(1.0)  # cos and sin of 1 rad, for points of an ellipse with semi-axes a X and b Y
-# {label: (position from the equilibrium, velocity), for ONES}; the last ellipses are clearly no circles, no axes
+# {label: (position from the equilibrium, velocity), for ONES}; the last are clearly no circle, or not along the axes
 ABOUT_REST = {
     "a circle": [(X, Y), (Z, X)],
     "a general ellipse": [(2 * X, Y), (X, 2 * Y)],
@@ -93,7 +93,7 @@ def period(case):
 
 
 def motions(periods, label, first=None, gravities=(None,), count=12):
-    """Return a function for random starts at uneven times, the first of which is not zero or, in periods, `first`."""
+    """Return a function for random starts at uneven times, from `first`, in periods; default: any time but zero."""
 
     def cases(rng):
         for gravity in gravities:

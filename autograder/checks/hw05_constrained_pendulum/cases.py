@@ -103,7 +103,7 @@ def without_gravity(rng):
 def long(rng):
     """Return a motion of 100 s, some five swings below the hinge; a linear one lags by a third of a swing at the end.
 
-    Where g y > v^2, beside and above the hinge, errors of the steps grow if the force is m (v^2 - g y)/l^2, l as given.
+    Where g y > v^2, beside and above the hinge, errors of the steps grow by a force m (v^2 - g y)/l^2 with the given l.
     """
     angle, rate = rng.uniform((1.1, 0.2), (1.4, 0.4)) * rng.choice([-1, 1], 2)
     case = motion(rng, "a motion of 100 s", 1, 2, angle, rate, gravity=rng.uniform(0.5, 0.7), length=rng.uniform(6, 8))

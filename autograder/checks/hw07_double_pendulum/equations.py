@@ -37,7 +37,7 @@ def agree_in_equations(function: Any, cases: Sequence[Case], *, tolerance: float
     definite = np.flatnonzero(np.isfinite(back).all((1, 2)))
     calls = student.calls[last - len(cases) :]
     brought = [replace(calls[i], result=(back[i] @ results[i]).reshape(true[i].shape)) for i in definite]
-    student.calls[last - len(cases) :] = brought  # what known mistakes are compared with
+    student.calls[last - len(cases) :] = brought  # known mistakes are compared with these
     for call, correct, size in zip(brought, true[definite], sizes[definite], strict=True):
         get_context().set_call(function.name, call.case)
         expect(call.result, correct, tolerance=tolerance * size, quantity=words.quantity, unit=words.unit, hint=hint)

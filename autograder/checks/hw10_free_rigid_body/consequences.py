@@ -28,7 +28,7 @@ def growth_rate_squared(axis, spin, *, inertia):
 
 
 def tumble_period(omega, *, inertia):
-    """Compute quarters as K of the modulus by the arithmetic-geometric mean, over a rate."""
+    """Compute a quarter period: K of the modulus by the arithmetic-geometric mean, over a rate."""
     A, B, C = inertia
     p, q, r = omega
     round_0, round_2 = A * (B - A) * p**2, C * (C - B) * r**2

@@ -87,7 +87,7 @@ def angular_momentum(reference, R, omega, *, inertia):
 def euler_rates_313(reference, angles, omega):
     """You use omega in space components; it is given in body components."""
     psi, theta, phi = angles
-    return reference((-phi, -theta, -psi), omega)[::-1]  # these angles turn back
+    return reference((-phi, -theta, -psi), omega)[::-1]  # by the angles of the inverse rotation
 
 
 @mistake(first_fails=checks.euler_rates_make_omega)
@@ -117,7 +117,7 @@ def simulate(reference, t, R, omega, *, inertia):
 @mistake(first_fails=checks.omega_follows_elliptic_functions)
 def simulate(reference, t, R, omega, *, inertia):
     """You start at t = 0; R and omega are those at t[0]."""
-    sense = math.copysign(1.0, t[0])  # with -omega the body turns back
+    sense = math.copysign(1.0, t[0])  # with -omega the motion is reversed
     omegas, rotations = reference(np.array([0.0, abs(t[0])]), R, sense * omega, inertia=inertia)
     return reference(t, rotations[-1], sense * omegas[-1], inertia=inertia)
 

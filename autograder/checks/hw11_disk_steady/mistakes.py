@@ -43,7 +43,7 @@ def rolling_precession(reference, lean, track_radius, *, inertia, **disk):
 @mistake(first_fails=checks.rolling_precession_balances_the_moments)
 def rolling_precession(reference, lean, track_radius, *, mass, radius, inertia, gravity):
     """You use Omega R/a as the spin in the angular momentum; the total spin is Omega (R/a - sin(lean))."""
-    A, C = inertia  # C R/a for C (R/a - sin(lean)) is C more in A
+    A, C = inertia  # C R/a in place of C (R/a - sin(lean)) amounts to A + C in place of A
     return reference(lean, track_radius, mass=mass, radius=radius, inertia=(A + C, C), gravity=gravity)
 
 

@@ -21,7 +21,7 @@ def rim(lean, radius):
 
 
 def angular_velocity(lean, precession, spin):
-    """Return precession about z plus, about the axle, what the total spin lacks."""
+    """Return omega: the precession about z, and the rest of the total spin about the axle."""
     n = axle(lean)
     return precession * Z + (spin - precession * n @ Z) * n
 

@@ -17,7 +17,7 @@ def acceleration_newton(x, v, *, curvature, gravity):
 
 
 def constraint_force(x, v, *, mass, curvature, gravity):
-    """Return what, with the weight, makes m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
+    """Subtract the weight from m times the acceleration: x'', and y'' = 2 c (v^2 + x x'')."""
     acceleration = acceleration_newton(x, v, curvature=curvature, gravity=gravity)
     return mass * acceleration, mass * (2 * curvature * (v**2 + x * acceleration) + gravity)
 

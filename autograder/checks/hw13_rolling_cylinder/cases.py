@@ -114,7 +114,7 @@ def runs(rng):
 def few_times(rng):
     """Return a start at rest at phi = 0, on a ramp and then without slope and gravity, where it stays; a heavy side.
 
-    There are not few times in a long run: odeint makes at most 500 steps from one to the next by default.
+    No long run has few times, because odeint makes at most 500 steps from one to the next by default.
     """
     body = cylinder(rng)
     first = Case(uneven(rng, 2 / usual(body), 3), 0.0, 0.0, **body).labelled("a few times, let go at rest at phi = 0")

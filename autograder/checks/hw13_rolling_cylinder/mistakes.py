@@ -178,7 +178,7 @@ def energy(reference, phi, phi_dot, **c):
 
 
 @mistake(first_fails=checks.acceleration_balances_momentum_about_G)
-def _distance_squared(reference, phi, radius, offset):  # behind the energy, which has the same numbers
+def _distance_squared(reference, phi, radius, offset):  # after the energy, which has the same numbers
     """You use I^G + m r^2; I^C is that only with G at the centre."""
     return radius**2
 

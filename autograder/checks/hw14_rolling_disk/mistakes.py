@@ -174,7 +174,7 @@ def multiplier_state_derivative(reference, t, state, **disk):
 @mistake(first_fails=checks.euler_simulation_follows_the_motion)
 def simulate_euler(reference, t, state, **disk):
     """You start at t = 0; the given state is that at t[0]."""
-    sense = np.array([1.0] * 5 + [math.copysign(1.0, t[0])] * 3)  # with its rates reversed the disk rolls back
+    sense = np.array([1.0] * 5 + [math.copysign(1.0, t[0])] * 3)  # with opposite rates the motion is reversed
     result = reference(np.array([0.0, abs(t[0])]), sense * state, **disk)[1]
     return reference(t, sense * result, **disk)
 

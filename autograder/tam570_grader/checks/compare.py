@@ -151,7 +151,7 @@ def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected
 def compare_with(
     reference: Reference, *, by: Callable[..., Any] = compare, **defaults: Any
 ) -> Callable[..., list[Numbers]]:
-    """Return a comparison with its reference, and with defaults for options that a check does not state.
+    """Return `by` with its reference, and with defaults for the options that a check does not pass.
 
     compare = compare_with(reference, tolerance=FORMULA)
     compare_motions = compare_with(reference, by=compare_trajectory, tolerance=TRAJECTORY)

@@ -20,7 +20,7 @@ FORMATTED = re.compile(r"(?m)^( *)(?:def|for|while)\b(?:.*\(\n(?: .*\n)*?\1\))?.
 
 
 def count() -> None:
-    """Count a step as `tam570.meter.count` does, of which the integrator can trace only the latter."""
+    """Count a step as `tam570.meter.count` does; the integrator cannot trace functions that call this one."""
     meter.count()
 
 

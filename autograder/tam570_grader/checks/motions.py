@@ -34,7 +34,7 @@ FEWEST = 3  # rows that lead to the next, including the first
 TRIED = 12  # rows from which the reference motion is integrated to the next
 JUMPED = 0.9  # of the sum of the errors of all steps; a larger error is a jump
 OBEYED = 0.03  # of the change between rows: the error of a wrong term is larger, that of a loose tolerance smaller
-# Of the duration: so short that integration errors vanish, while a wrong term changes the rate as much as ever.
+# Of the duration: so short that integration errors vanish, while a wrong term has its full effect on the rate.
 INSTANTS = 1e-8, 1e-7
 LONGER = 3  # durations in which the time of the student's second row is sought
 MOST_STEPS = 4  # time steps of the student's that are tried

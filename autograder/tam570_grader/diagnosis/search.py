@@ -289,7 +289,7 @@ def _mutant_of_any(
         reach_of = reached(other or solution)
         reach = reach_of.get(name, set())
         likely = reach.difference(*(reach_of.get(each, ()) for each in passed))
-        for suspects in filter(None, (likely, reach - likely)):  # students may copy what is right elsewhere wrongly
+        for suspects in filter(None, (likely, reach - likely)):  # a student's copy of a passed helper may be wrong
             exec(_code(other), vars(module))
             if mutant := _mutant(other or solution, module, name, calls, public, suspects):
                 words, texts = mutant
@@ -322,7 +322,7 @@ def _mutant(
     if MISSING_FACTOR in texts:
         texts.pop(MISSING_TERM, None)  # without the term, the factor is 1
     if len(texts) > 1:
-        texts.pop(KINDS["half a term"], None)  # others name the missing factor, or the number
+        texts.pop(KINDS["half a term"], None)  # the others name its missing factor, or the number
     if len(texts) > 1:
         texts.pop(KINDS["a factor"], None)  # the number is in the term that counts twice
         texts.pop(KINDS["two exchanged"], None)  # these are a sine and a cosine
