@@ -7,7 +7,7 @@ import sys
 
 import pytest
 from classes import HW08 as SLUG
-from classes import result
+from classes import hand_in, result
 from processes import imported_modules
 
 from tam570_grader import cli as grader
@@ -48,8 +48,7 @@ def test_algebra_has_one_thread(monkeypatch):
 @pytest.mark.parametrize(("command", "path"), TARGETS)
 def test_what_cannot_be_written_is_named(here, capsys, command, path):
     """The error names the output path if a file is in the place of its folder, or if its folder does not exist."""
-    (here / "results").mkdir()
-    (here / "results" / "results.jsonl").write_text(json.dumps(result("ada").record()) + "\n")
+    hand_in(here, {"results": json.dumps(result("ada").record()) + "\n"}, file="results.jsonl")
     (here / "grades.csv").write_text(f"student,assignment,score,max_score\nada,{SLUG},1,1\n")
     (here / "file").touch()
     assert grader.main([*command.split(), path]) == 2

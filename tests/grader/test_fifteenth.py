@@ -26,9 +26,7 @@ def test_it_is_found_graded_audited_and_released(course, tmp_path, capsys):
     for part in PARTS:
         old = copy / part.format(MODEL)
         for path in [old] if old.is_file() else [path for path in old.rglob("*") if path.is_file()]:
-            new = copy / renamed(path.relative_to(copy).as_posix())
-            new.parent.mkdir(parents=True, exist_ok=True)
-            new.write_text(renamed(path.read_text()))
+            hand_in(copy, {"": renamed(path.read_text())}, file=renamed(path.relative_to(copy).as_posix()))
     (copy / "assignments" / SLUG / f"{SLUG}.py").unlink()
     root = ["--root", str(copy)]
     assert cli.main([*root, "stubs"]) == 0 and SLUG in assignments.slugs(copy)

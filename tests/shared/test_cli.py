@@ -1,10 +1,10 @@
 """The students' command: list, start, hint, handin, update, bad usage, imports, and where it finds work."""
 
-import json
 import shutil
 import zipfile
 
 import pytest
+from classes import notebook
 from parameters import first
 from processes import imported_modules
 
@@ -149,16 +149,23 @@ def test_in_the_folder_a_function_is_enough_for_a_hint(hw08, monkeypatch, desk, 
     assert cli.main(["hint", "mass_matrix"]) == 2 and "'mass_matrix' is not an" in capsys.readouterr().err
 
 
-def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570):
+def test_handin_packs_the_work_and_names_what_is_empty(hw08, desk, tam570, solution_text):
     file = hw08(None)
-    file.write_text(file.read_text().replace("raise Not", "n = axis\n    raise Not"))  # a function that is begun
+    stub = file.read_text()
+    file.write_text(stub.replace("raise Not", "n = axis\n    raise Not"))  # a function that is begun
     (file.parent / "plot.png").write_bytes(b"png")
     code, said = tam570("handin", "hw08")
-    packed = zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist()
-    assert code == 0 and packed == ["hw08_axis_angle.py", "plot.png"]
+    packed = file.with_name("hw08_axis_angle_handin.zip")
+    assert code == 0 and zipfile.ZipFile(packed).namelist() == ["hw08_axis_angle.py", "plot.png"]
     assert "not written yet: skew, rotation_matrix, rotate" in said
     file.write_text("x = (")
     assert "Python cannot read hw08_axis_angle.py" in tam570("handin", "hw08")[1]
+    file.with_suffix(".ipynb").write_text(notebook(solution_text("hw08_axis_angle")))
+    file.write_text(stub)  # an empty module, which would be graded in the place of the notebook
+    assert tam570("handin", "hw08")[0] == 0
+    assert zipfile.ZipFile(packed).namelist() == ["hw08_axis_angle.ipynb", "plot.png"]
+    file.write_text("def skew(v):\n    return v\n")
+    assert "not written yet: rotation_matrix, rotate" in tam570("handin", "hw08")[1]
 
 
 def test_handin_names_the_parts_that_a_teacher_grades_where_nothing_is_in_for_them(desk, tam570):
@@ -167,16 +174,6 @@ def test_handin_names_the_parts_that_a_teacher_grades_where_nothing_is_in_for_th
     assert remark in tam570("handin", "hw09")[1]
     (folder / "sketch.png").write_bytes(b"png")
     assert remark not in tam570("handin", "hw09")[1]
-
-
-def test_handin_leaves_an_empty_module_out_where_the_notebook_has_the_work(hw08, solution_text, tam570):
-    file = hw08(None)
-    cell = {"cell_type": "code", "source": solution_text("hw08_axis_angle"), "metadata": {}, "outputs": []}
-    file.with_suffix(".ipynb").write_text(json.dumps({"cells": [cell], "nbformat": 4}))
-    assert tam570("handin", "hw08")[0] == 0
-    assert zipfile.ZipFile(file.with_name("hw08_axis_angle_handin.zip")).namelist() == ["hw08_axis_angle.ipynb"]
-    file.write_text("def skew(v):\n    return v\n")
-    assert "not written yet: rotation_matrix, rotate" in tam570("handin", "hw08")[1]
 
 
 def test_a_prediction_is_asked_for_once_and_kept(desk, monkeypatch):

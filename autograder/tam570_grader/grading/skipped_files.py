@@ -36,7 +36,7 @@ def skipped_files(
         yield from _not_collected(folder.absolute().parent / TABLE, {submission.key for submission in work})
     for submission in work:  # other files named after the assignment, with the same ending as the graded file
         path, student = submission.path, submission.student
-        if path is None or not submission.tree.is_dir():
+        if path is None or not form(path.name) or not submission.tree.is_dir():
             continue
         for entry, is_folder in entries(path.parent):
             is_rival = not is_folder and form(entry.name) == form(path.name) and slug_of(entry.stem, [submission.slug])

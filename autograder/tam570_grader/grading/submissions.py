@@ -10,12 +10,16 @@ import unicodedata
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import UsageError, printable
-from tam570_grader.results.collected import form
+from tam570_grader.results.collected import form, is_zip
 from tam570_grader.sandbox.student import Source
+
+if TYPE_CHECKING:
+    from tam570_grader.grading.archives import File
 
 LONGEST_NAME = 255  # bytes in the name of a file
 MOST_KEPT = 40  # characters kept of an id that cannot name a folder
@@ -71,7 +75,7 @@ def submissions(
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
-    """Return one student's work on one assignment: files named after it first, then the shallowest folder's."""
+    """Return one student's work on one assignment: zip files last, files named after it first, then the shallowest."""
     tree, deeper = folder.resolve(), [folder.absolute()]
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
@@ -80,36 +84,75 @@ def handed_in(folder: Path, slug: str) -> Submission:
         deeper = [entry for entry, is_folder in held if is_folder and not entry.is_symlink()][:MOST_FILES]
         candidates += [of_folder(entry, folder.name, slug, tree) for entry in deeper]
     there = [submission for submission in candidates if submission.path]
+    there.sort(key=lambda submission: submission.path is not None and is_zip(submission.path.name))
     named_after = [submission for submission in there if submission.path and of_name(submission.path.name, [slug])]
     return next(iter(named_after or there), first)
 
 
 def read(submission: Submission) -> Source:
-    """Return the submission's text; raise CannotRead for links that lead out of it, devices and huge files."""
+    """Return the submission's text, from a zip file that of the module or notebook in it.
+
+    Raise CannotRead for links that lead out of the submission, devices, huge files and bad zip files.
+    """
     assert submission.path is not None
     if submission.reason:
         raise CannotRead(submission.reason)
     name = printable(submission.path.name)
+    if is_zip(submission.path.name):
+        return _packed_source(submission.slug, name, packed_files(submission))
     if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     notebook = form(submission.path.name) == ".ipynb"
-    if not _own(submission.path, submission.tree):
+    text = _bytes(submission.path, submission.tree, LARGEST_WITH_OUTPUTS if notebook else LARGEST)
+    text = without_outputs(text) if len(text) > LARGEST else text
+    if len(text) > LARGEST:
+        raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB without its outputs: is it the right file?")
+    return Source(text, notebook=notebook)
+
+
+def packed_files(submission: Submission) -> "list[File]":
+    """Return the modules, notebooks, drawings and texts in a submission's zip file, also refused ones."""
+    from tam570_grader.grading.archives import File, Quota, unpack_zip  # not at the top: it imports zipfile
+
+    assert submission.path is not None
+    name = printable(submission.path.name)
+    return unpack_zip(File(name, _bytes(submission.path, submission.tree, LARGEST)), Quota())
+
+
+def _packed_source(slug: str, name: str, files: "Iterable[File]") -> Source:
+    """Return the text of the file that fits best in a zip file; of files with the same name, the shallowest."""
+    shown = [file for file in files if file.refused or "/." not in file.path]  # without .ipynb_checkpoints
+    deepest_first = sorted(shown, key=lambda file: file.path.count("/"), reverse=True)
+    held = {Path(Path(file.path).name): file for file in deepest_first}
+
+    def text_of(entry: Path) -> bytes:
+        if held[entry].refused:
+            raise CannotRead(f"{held[entry].path}: {held[entry].refused}")
+        return held[entry].data
+
+    chosen = _best(held, slug, text_of)
+    text = text_of(chosen[0]) if len(chosen) == 1 else b""
+    if len(chosen) != 1 or is_zip(chosen[0].name):
+        raise CannotRead(f"there is no {slug}.py in {name}; it holds {_listed(held) or 'no module or notebook'}")
+    return Source(text, notebook=form(chosen[0].name) == ".ipynb")
+
+
+def _bytes(path: Path, tree: Path, most: int) -> bytes:
+    """Return the bytes of a regular file in the folder `tree`; raise CannotRead if it has more than `most`."""
+    name = printable(path.name)
+    if not _own(path, tree):
         raise CannotRead(f"{name} is a link to a place outside of the submission")
     try:
-        with open(os.open(submission.path, os.O_RDONLY | os.O_NONBLOCK), "rb", buffering=0) as file:
+        with open(os.open(path, os.O_RDONLY | os.O_NONBLOCK), "rb", buffering=0) as file:
             about = os.fstat(file.fileno())
             if not stat.S_ISREG(about.st_mode):
                 raise CannotRead(f"{name} is not a regular file")
-            most = LARGEST_WITH_OUTPUTS if notebook else LARGEST
             text = file.readall() if about.st_size <= most else b""
     except OSError as error:
         raise CannotRead(f"{name} cannot be read: {error.strerror}") from None
     if about.st_size > most:
         raise CannotRead(f"{name} is larger than {most // 2**20} MiB: is it the right file?")
-    text = without_outputs(text) if len(text) > LARGEST else text
-    if len(text) > LARGEST:
-        raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB without its outputs: is it the right file?")
-    return Source(text, notebook=notebook)
+    return text
 
 
 def source_of(submission: Submission) -> Source | CannotRead:
@@ -168,7 +211,7 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
         slug = None if is_folder and is_class else _chosen(entry, is_folder, all_slugs, chosen)
         if slug and is_folder:
             own_folders[slug].append(entry)
-        elif slug:
+        elif slug and form(entry.name):  # a zip file beside students' folders may be the class's download
             work.append(Submission(_name(entry.stem), slug, entry, entry))
         elif is_folder:
             try:
@@ -224,17 +267,20 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
             work[slug].append((entry, is_folder))
         elif not is_folder and (slug := of_name(entry.name, slugs)):
             messages[slug].append(entry)
-    for slug, packed in messages.items():  # a single packed or misnamed file is reported by `read`
+    for slug, misnamed in messages.items():  # a single one is reported by `read`
         if slug not in work and chosen in (None, slug):
-            message = f"hand in one module or notebook, unpacked; there are {_listed(packed)}" if packed[1:] else ""
-            yield Submission(_name(home.name), slug, packed[0], home, message)
+            message = f"hand in one module or notebook, unpacked; there are {_listed(misnamed)}" if misnamed[1:] else ""
+            yield Submission(_name(home.name), slug, misnamed[0], home, message)
     if chosen and not work and not messages and not any(slug_of(entry.name, slugs) for entry, _ in held):
         yield of_folder(home, home.name, chosen, home)
     for slug, own_work in work.items():
-        (first, is_folder), *others = own_work
-        if is_folder and not others:
-            yield of_folder(first, home.name, slug, home)
-        else:
+        plain = [(entry, is_folder) for entry, is_folder in own_work if is_folder or form(entry.name)]
+        lone = (
+            of_folder(plain[0][0], home.name, slug, home) if [is_folder for _, is_folder in plain] == [True] else None
+        )
+        if lone and (lone.path or plain == own_work):
+            yield lone
+        else:  # without the folder's work, a zip file beside it counts
             yield _of_files(own_work, home.name, slug, home)
 
 
@@ -281,9 +327,9 @@ def _mark(name: str) -> str:
 
 
 def _chosen(entry: Path, is_folder: bool, slugs: Sequence[str], chosen: str | None) -> str | None:
-    """Return the assignment after which a folder, module or notebook is named; None if it is not the chosen one."""
+    """Return the assignment after which a folder, module, notebook or zip file is named; None if not the chosen one."""
     name_of = slug_of if is_folder else of_name
-    slug = name_of(entry.name, slugs) if is_folder or form(entry.name) else None
+    slug = name_of(entry.name, slugs) if is_folder or form(entry.name) or is_zip(entry.name) else None
     return slug if chosen in (None, slug) else None
 
 
@@ -307,10 +353,20 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """Return the submission among these entries: the only file that fits best; without it, `reason` lists them."""
-    files = [entry for entry, is_folder in held if form(entry.name) and not is_folder]
+    files = [entry for entry, is_folder in held if not is_folder]
+    chosen = _best(files, slug, lambda entry: read(Submission("", "", entry, tree)).text)
+    if len(chosen) == 1:
+        return Submission(_name(student), slug, chosen[0], tree)
+    message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
+    return Submission(_name(student), slug, None, tree, message)
+
+
+def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -> list[Path]:
+    """Return the files that fit an assignment best; a zip file fits only without a module or notebook beside it."""
+    files = [entry for entry in held if form(entry.name)]
     candidates = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
     if len(candidates) == 1 or f"{slug}.ipynb" in {entry.name for entry in candidates}:
-        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, candidates, tree)]
+        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, candidates, text_of)]
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: entry.name == f"{slug}.py",
         lambda entry: entry.name == f"{slug}.ipynb",
@@ -320,10 +376,8 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
         lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
     )
     chosen = next(filter(None, ([*filter(is_chosen, files)] for is_chosen in fits)), [])
-    if len(chosen) == 1:
-        return Submission(_name(student), slug, chosen[0], tree)
-    message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
-    return Submission(_name(student), slug, None, tree, message)
+    packed = [entry for entry in held if is_zip(entry.name)]
+    return chosen or [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
 
 
 def _listed(files: Iterable[Path]) -> str:
@@ -333,14 +387,12 @@ def _listed(files: Iterable[Path]) -> str:
     return ", ".join(seen)
 
 
-def _untouched(module: Path, others: Iterable[Path], tree: Path) -> bool:
+def _untouched(module: Path, others: Iterable[Path], text_of: Callable[[Path], bytes]) -> bool:
     """Return whether a module is still the stub while another of these files defines functions."""
-    texts = []
-    for path in (module, *others):
-        try:
-            texts.append(read(Submission("", "", path, tree)).text)
-        except CannotRead:
-            return False
+    try:
+        texts = [text_of(entry) for entry in (module, *others)]
+    except CannotRead:
+        return False
     functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
     is_begun = any(re.search(rb'(?:^|"|\\n)def ', text, re.MULTILINE) for text in texts[1:])
     return 0 < functions == texts[0].count(b"raise NotImplementedError") and is_begun

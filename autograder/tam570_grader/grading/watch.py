@@ -26,7 +26,6 @@ from tam570_grader.grading.submissions import CannotRead, Submission, of_folder,
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.reports import feedback
 from tam570_grader.reports.feedback import AssignmentInfo
-from tam570_grader.results.collected import form
 from tam570_grader.results.records import read as result_of
 from tam570_grader.results.store import ResultStore
 from tam570_grader.results.tables import write_in, written
@@ -250,7 +249,7 @@ class Watcher:
         student, slug, origin = submission.student, submission.slug, submission.path or submission.tree
         if isinstance(source, CannotRead):
             return Arrival(student, slug, digest, time.time(), "", str(origin), str(source))
-        copy = self.queue.folder / COPIES / student / slug / f"{digest[:16]}{form(origin.name)}"
+        copy = self.queue.folder / COPIES / student / slug / f"{digest[:16]}{'.ipynb' if source.notebook else '.py'}"
         copy.parent.mkdir(parents=True, exist_ok=True)
         written(copy, source.text)
         return Arrival(student, slug, digest, time.time(), str(copy), str(origin))

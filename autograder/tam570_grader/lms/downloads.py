@@ -8,9 +8,9 @@ from datetime import datetime
 
 from dateutil import parser as dates  # type: ignore[import-untyped]
 
-from tam570_grader.lms.archives import File, is_beside, is_zip
+from tam570_grader.grading.archives import File, is_beside
 from tam570_grader.lms.systems import SYSTEMS, System
-from tam570_grader.results.collected import form
+from tam570_grader.results.collected import form, is_zip
 
 RELEASED = ("README.md", "figure.svg", "NOTATION.md")  # files of the assignment in each repository
 AGAIN = re.compile(r"-(\d{1,9})(?=\.\w+$)")  # Canvas's number in the name of a file that is handed in again

@@ -10,7 +10,7 @@ import yaml
 
 from tam570.notebooks import LARGEST
 from tam570_grader.errors import UsageError
-from tam570_grader.lms.archives import METADATA, File
+from tam570_grader.grading.archives import METADATA, File
 
 FOLDER = re.compile(r"submission_[0-9]+")  # name of a submission's folder
 WANTED = (b"  :submitters:", b"  :created_at:")

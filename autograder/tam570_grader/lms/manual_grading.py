@@ -9,8 +9,9 @@ import json
 import mimetypes
 import random
 import secrets
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Lock
@@ -18,10 +19,11 @@ from threading import Lock
 from tam570.values import Json
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, writing
-from tam570_grader.grading.submissions import CannotRead, Submission, entries, read
-from tam570_grader.lms.archives import is_beside
+from tam570_grader.grading.archives import is_beside
+from tam570_grader.grading.submissions import CannotRead, Submission, entries, packed_files, read
 from tam570_grader.reports.feedback import template
 from tam570_grader.results import manual_points
+from tam570_grader.results.collected import is_zip
 from tam570_grader.results.manual_points import EVERYONE, Entry
 from tam570_grader.results.store import ResultStore
 from tam570_grader.sandbox.notebooks import Unshown, cells_of
@@ -82,13 +84,21 @@ class Desk:
             manual_points.write(self.folder, manual_points.read(self.folder).with_(rows))
         return earned
 
-    def files(self, number: int) -> list[Path]:
-        """Return drawings and texts in the folder of the work, without links."""
+    def files(self, number: int) -> list[tuple[str, Callable[[], bytes]]]:
+        """Return names and readers of drawings and texts beside the work or in its zip file, without links."""
         submission = self.works[number].submission
         if submission is None or submission.path is None:
             return []
         held = [path for path, is_folder in entries(submission.path.parent) if not is_folder and not path.is_symlink()]
-        return [path for path in held if is_beside(path.name) and path.is_file()]
+        files: list[tuple[str, Callable[[], bytes]]] = [
+            (path.name, path.read_bytes) for path in held if is_beside(path.name) and path.is_file()
+        ]
+        with contextlib.suppress(CannotRead):  # `code` shows why
+            for file in packed_files(submission) if is_zip(submission.path.name) else ():
+                if file.refused or is_beside(file.path):
+                    name = f"{file.path} ({file.refused})" if file.refused else file.path
+                    files.append((name, partial(bytes, file.data)))
+        return files
 
     def code(self, number: int) -> list[tuple[str, str]]:
         """Return (kind, text) pairs of the work: the module, or a notebook's cells; a note if it cannot be read."""
@@ -132,10 +142,10 @@ class _Handler(BaseHTTPRequestHandler):
             return self._send(200, "text/html; charset=utf-8", page(self.desk, number, nonce).encode(), nonce)
         files = self.desk.files(number)
         if len(path) == 2 and path[1].isdecimal() and int(path[1]) < len(files):
-            file = files[int(path[1])]
-            mime_type = mimetypes.guess_type(file.name)[0] or "application/octet-stream"
-            is_shown = file.suffix.lower() in SHOWN
-            return self._send(200, mime_type if is_shown else "application/octet-stream", file.read_bytes())
+            name, content = files[int(path[1])]
+            mime_type = mimetypes.guess_type(name)[0] or "application/octet-stream"
+            is_shown = name.lower().endswith(SHOWN)
+            return self._send(200, mime_type if is_shown else "application/octet-stream", content())
         return self._send(404, "text/plain", b"not found")
 
     def do_POST(self) -> None:
@@ -186,7 +196,7 @@ def page(desk: Desk, number: int, nonce: str) -> str:
         parts=[_part(desk.entry(number, letter), letter, rubric) for letter, rubric in work.parts.items()],
         number=number,
         code=desk.code(number),
-        files=[(file.name, file.suffix.lower() in SHOWN) for file in desk.files(number)],
+        files=[(name, name.lower().endswith(SHOWN)) for name, _ in desk.files(number)],
         nonce=nonce,
     )
 

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
+from tam570_grader.grading.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.grading.roster import Directory, Person
 from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
-from tam570_grader.lms.archives import METADATA, File, Quota, is_beside, is_zip, members, unpack_zip
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, listed
+from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, is_zip, listed
 from tam570_grader.results.tables import table, write_table, written
 
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"

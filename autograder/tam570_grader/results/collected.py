@@ -25,3 +25,8 @@ def form(name: str) -> str:
     plain = name.lower()
     plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
     return next((ending for ending in WORK if plain.endswith(ending)), "")
+
+
+def is_zip(name: str) -> bool:
+    """Return whether a file's name is that of a zip file."""
+    return name.lower().endswith(".zip")

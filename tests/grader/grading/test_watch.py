@@ -44,18 +44,21 @@ def scores(tmp_path):
     return {row["student"]: float(row["score"]) for row in classes.rows(tmp_path / "results" / "grades.csv")}
 
 
-def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp_path):
+def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp_path, solution_text):
     hand_in("ann", HALF)
     hand_in("ben")
-    assert len(watch()) == 2
+    work = classes.packed({f"{SLUG}.py": solution_text(SLUG)})
+    classes.hand_in(tmp_path / "submitted", {"cy": work}, file="{0}_handin.zip")
+    assert len(watch()) == 3
     hand_in("ann")
     hand_in("ben", HALF)
     attempts = watch()
-    assert [(item["student"], item["attempt"]) for item in attempts[2:]] == [("ann", 2), ("ben", 2)]
-    assert len({item["record"]["seed"] for item in attempts}) == 4
-    assert scores(tmp_path) == {"ann": 10.0, "ben": 10.0}
-    assert len(watch()) == 4  # nothing new, nothing twice
+    assert [(item["student"], item["attempt"]) for item in attempts[3:]] == [("ann", 2), ("ben", 2)]
+    assert len({item["record"]["seed"] for item in attempts}) == 5
+    assert scores(tmp_path) == {"ann": 10.0, "ben": 10.0, "cy": 10.0}
+    assert len(watch()) == 5  # nothing new, nothing twice
     assert (tmp_path / "submitted" / "ben" / SLUG / f"{SLUG}-feedback.html").exists()
+    assert (tmp_path / "submitted" / "cy" / f"{SLUG}_handin-feedback.html").exists()
     assert "ben" in (tmp_path / "results" / "status.html").read_text()
 
 
@@ -91,8 +94,7 @@ def test_an_exchange_of_nbgrader(watch, tmp_path, solution_text):
     """Files are where ExchangeSubmit.copy_files and ExchangeReleaseFeedback.copy_files of nbgrader 0.9 write them."""
     for n, student in enumerate(("ann", "ben")):
         folder = tmp_path / "exchange" / "inbound" / f"{student}+{SLUG}+2026-09-14 10:00:0{n} UTC+abc"
-        folder.mkdir(parents=True)
-        (folder / f"{SLUG}.py").write_text(solution_text(SLUG))
+        classes.hand_in(folder.parent, {folder.name: solution_text(SLUG)}, file="{0}.py")
         (folder / f"{SLUG}.ipynb").write_text('{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}')
         (folder / "timestamp.txt").write_text("2026-09-14 10:00:00 UTC")
         if student == "ann":

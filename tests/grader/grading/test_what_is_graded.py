@@ -5,7 +5,7 @@ import os
 import shutil
 
 import pytest
-from classes import HW08, hand_in, notebook, rows
+from classes import HW08, hand_in, notebook, packed, rows
 
 from tam570_grader import cli
 
@@ -24,11 +24,24 @@ plot_comparison(__import__("matplotlib.pyplot").pyplot.gca(), t, 20.0, 0.8, mass
 """
 
 
-def test_a_huge_file_is_not_read(run, tmp_path):
-    with open(tmp_path / "hw08.py", "wb") as file:
-        file.truncate(2**30)
-    _, (line,), _ = run(tmp_path / "hw08.py")
-    assert line["status"] == "unreadable" and "larger than 10 MiB" in line["message"]
+def test_zip_files_are_graded_and_broken_or_huge_files_are_notes(run, tree, scores, solution_text):
+    work = packed({f"{HW08}.py": solution_text(HW08), "plot.png": "x"})
+    bomb = packed({f"hw08{n}.py": bytes(2**23) for n in "abc"})
+    zips = {
+        "ben": packed({"a/hw08.zip": work, f"a/.b/{HW08}.py": "x"}),
+        "dan": packed({"a.pdf": "x"}),
+        "eve": b"no zip",
+    }
+    hand_in(tree, {**zips, "ada": b"no zip", "fay": bomb, "gus": b""}, file="{0}_handin.zip")
+    os.truncate(tree / "gus" / f"{HW08}_handin.zip", 2**30)
+    hand_in(tree, {"cora": work}, file="{0}/handin.zip")
+    (tree / "ben" / HW08 / f"{HW08}.py").unlink()
+    _, lines, _ = run(tree, "--seed", 1)
+    notes = dict.fromkeys(("dan", "eve", "fay", "gus"), 0.0)
+    assert scores(lines) == notes | dict.fromkeys(("ada", "ben", "cora"), 10.0)
+    said = [line["message"] for line in lines if line["status"] == "unreadable"]
+    words = ("holds a.pdf", "cannot be unpacked", "more than 20 MiB", "larger than 10 MiB")
+    assert all(text in message for text, message in zip(words, said, strict=True))
 
 
 def test_a_link_to_a_neighbours_work_or_out_of_the_folder_is_not_followed(run, tree, course, scores):
@@ -88,14 +101,10 @@ def test_files_beside_a_module_are_not_run(run, tree, monkeypatch, scores, cold)
     assert scores(run(tree)[1])["ada"] == 10.0
 
 
-@pytest.mark.parametrize("cells", CELLS)
-def test_a_notebook_with_strange_cells_scores_nothing(grade, cells):
-    assert grade(HW08, json.dumps({"cells": cells, "nbformat": 4}), notebook=True).score == 0.0
-
-
-@pytest.mark.parametrize("text", UNPARSED)
+@pytest.mark.parametrize("text", [*UNPARSED, *(json.dumps({"cells": cells, "nbformat": 4}) for cells in CELLS)])
 def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text):
-    assert [grade(HW08, item).score for item in (text, solution_text(HW08))] == [0.0, 10.0]
+    assert grade(HW08, text, notebook=isinstance(text, str)).score == 0.0
+    assert grade(HW08, solution_text(HW08)).score == 10.0
 
 
 def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores):

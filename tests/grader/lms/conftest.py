@@ -27,10 +27,8 @@ class Desk:
         assert self("trust")[0] == 0
 
     def write(self, name, content):
-        if isinstance(content, bytes):
-            (self.folder / name).write_bytes(content)
-        elif isinstance(content, str):
-            (self.folder / name).write_text(content)
+        if isinstance(content, bytes | str):
+            (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
         else:
             with open(self.folder / name, "w", newline="", encoding="utf-8-sig") as file:
                 csv.writer(file).writerows(content)

@@ -9,7 +9,7 @@ import unicodedata
 import zipfile
 
 import pytest
-from classes import HW08
+from classes import HW08, hand_in
 
 from tam570_grader.checks import assignments
 from tam570_grader.checks.failure import WHOLE
@@ -76,10 +76,7 @@ def as_gradescope_reads_it(text):
 @pytest.fixture
 def submission(tmp_path, solution_text):
     """Return a folder that contains the solution."""
-    folder = tmp_path / "submission"
-    folder.mkdir()
-    (folder / f"{HW08}.py").write_text(solution_text(HW08))
-    return folder
+    return hand_in(tmp_path, {"submission": solution_text(HW08)}, file="{0}.py") / "submission"
 
 
 def for_gradescope(desk, submission):

@@ -166,16 +166,15 @@ def test_what_is_collected_again_replaces_its_row_and_no_other(desk, download):
     assert [path.read_text() for path in desk.folder.glob("submitted/ann/*/*")] == ["second"]
 
 
-@pytest.mark.parametrize(("module", "day", "code"), [("x = 1\n", 12, 1), ("x = 1\n", 13, 0), (STUB, 12, 0)])
-def test_a_notebook_that_came_after_the_module_that_counts_is_named(download, module, day, code):
-    actual, printed = download(("ann", "hw08.py", day, module), ("ann", "hw08.ipynb", 13, NOTEBOOK))
-    assert actual == code and ("hw08.ipynb of ann is newer than submitted/ann/" in printed) == bool(code)
-
-
-@pytest.mark.parametrize(("module", "late"), [("x = 1\n", ["ben"]), (STUB, ["ann", "ben"])])
-def test_the_time_of_what_is_graded_counts(desk, download, module, late):
+@pytest.mark.parametrize(
+    ("module", "day", "code", "late"),
+    [("x = 1\n", 12, 1, ["ben"]), ("x = 1\n", 16, 0, ["ann", "ben"]), (STUB, 12, 0, ["ann", "ben"])],
+)
+def test_the_time_of_what_is_graded_counts_and_a_newer_notebook_is_named(desk, download, module, day, code, late):
     """A late notebook beside a module costs days only if the notebook is graded."""
-    download(("ann", "hw08.py", 12, module), ("ann", "hw08.ipynb", 16, NOTEBOOK), ("ben", "hw08.py", 16, "x = 1\n"))
+    ann = ("ann", "hw08.py", day, module), ("ann", "hw08.ipynb", 16, NOTEBOOK)
+    actual, printed = download(*ann, ("ben", "hw08.py", 16, "x = 1\n"))
+    assert actual == code and ("hw08.ipynb of ann is newer than submitted/ann/" in printed) == bool(code)
     assert desk("grade", "submitted", "--out", "results", "--seed", "1")[0] == points(desk)[0] == 0
     days = {row["student"]: float(row["points"]) for row in desk.rows("results/by_hand.csv") if row["item"] == "late"}
     assert days == {student: pytest.approx(1.5, abs=0.02) for student in late}

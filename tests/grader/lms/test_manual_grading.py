@@ -7,6 +7,7 @@ import urllib.error
 import urllib.request
 
 import pytest
+from classes import hand_in, packed
 
 from tam570_grader import cli
 from tam570_grader.checks.rubric import ManualPart
@@ -21,11 +22,10 @@ RUBRIC = {"c": ManualPart("why", ((0.5, "It has a reason."), (1.5, "It draws <b>
 
 @pytest.fixture(scope="module")
 def graded(course, tmp_path_factory):
-    """Return the folder of a graded class: ann's work with a picture and a script, and nothing from ben."""
+    """Return the folder of a graded class: ann's zip file with a picture in and beside it, and nothing from ben."""
     tmp_path = tmp_path_factory.mktemp("graded")
-    folder = tmp_path / "submitted" / "ann" / SLUG
-    folder.mkdir(parents=True)
-    (folder / f"{SLUG}.py").write_text("# </pre><script>alert(1)</script>\n")
+    work = packed({f"{SLUG}.py": "# </pre><script>alert(1)</script>", "c.png": "in it"})
+    folder = hand_in(tmp_path / "submitted", {"ann": work}, SLUG, "{0}/a.zip") / "ann" / SLUG
     (folder / "a.png").write_bytes(b"\x89PNG")
     (folder / "b.svg").symlink_to("/etc/passwd")
     (tmp_path / "roster").write_text("ann\nben\n")
@@ -61,7 +61,8 @@ def test_the_page_shows_the_work_and_runs_nothing_of_it(desk):
     status, headers, text = ask(address)
     assert status == 200 and "&lt;script&gt;" in text and "<script>alert" not in text and "draws &lt;b&gt;" in text
     assert "default-src 'none'" in headers["Content-Security-Policy"] and "passwd" not in text
-    assert ask(f"{address}/0")[2].startswith("\ufffdPNG") and ask(f"{address}/1")[0] == 404
+    assert ask(f"{address}/0")[2].startswith("\ufffdPNG") and ask(f"{address}/1")[2] == "in it"
+    assert ask(f"{address}/2")[0] == 404
 
 
 def test_nobody_else_is_answered(desk):

@@ -32,9 +32,8 @@ def renamed(text):
 def test_renamed_code_is_found_and_right_work_of_ones_own_is_not(compare, tmp_path, course, solution_text):
     mine = sorted((assignments.checks_folder(course, SLUG) / "alternatives").glob("*.py"))
     texts = {f"own{number}": path.read_text() for number, path in enumerate(mine)}
-    book = tmp_path / "submitted" / "ben" / SLUG / f"{SLUG}.ipynb"
-    book.parent.mkdir(parents=True)
-    book.write_text(notebook(f"%matplotlib inline\n{renamed(solution_text(SLUG))}\nskew?"))
+    book = notebook(f"%matplotlib inline\n{renamed(solution_text(SLUG))}\nskew?")
+    hand_in(tmp_path / "submitted", {"ben": book}, SLUG, "{0}/{0}.ipynb")
     code, (first, *_, last) = compare({**texts, "ann": solution_text(SLUG)})
     assert code == 0 and re.match(rf"{SLUG}  ann \s*\d+ %  ben \s*\d+ %", first) and last.startswith("1 pair of")
 

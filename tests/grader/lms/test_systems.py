@@ -4,7 +4,7 @@ import json
 import unicodedata
 
 import pytest
-from classes import HW08, packed
+from classes import HW08, hand_in, packed
 
 from tam570_grader.course.course_toml import COLUMNS
 from tam570_grader.lms.systems import SYSTEMS
@@ -263,11 +263,9 @@ def test_brightspace_and_back(desk, download, upload):
 def test_github_classroom(desk):
     logins = {"ann": "octo-cat", "bo": "hubot", "cy": "mona"}
     for n, user in enumerate(logins.values()):
-        folder = desk.folder / "repositories" / f"hw08-{user}"
-        (folder / ".git").mkdir(parents=True)
-        (folder / ".git" / "config.py").write_text("# no work")
-        name, work = (f"{HW08}.py", f"# {n}".encode()) if n else ("handin.zip", packed({f"{HW08}.py": "# 0"}))
-        (folder / name).write_bytes(work)
+        hand_in(desk.folder / "repositories", {f"hw08-{user}": "# no work"}, file=".git/config.py")
+        name, work = (f"{HW08}.py", f"# {n}") if n else ("handin.zip", packed({f"{HW08}.py": "# 0"}))
+        hand_in(desk.folder / "repositories", {f"hw08-{user}": work}, file=name)
     rows = [(login, user, "", "") for login, user in logins.items()]
     desk.write("roster.csv", [("identifier", "github_username", "github_id", "name"), *rows])
     code, printed = desk("collect", "repositories", "--from", "github", "--roster", "roster.csv")

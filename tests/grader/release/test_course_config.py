@@ -204,9 +204,8 @@ def submission(tmp_path, monkeypatch, solution_text, course):
     monkeypatch.delenv("TAM570_COURSE", raising=False)
     folder = tmp_path / "submitted" / "ann" / SLUG
     shutil.copytree(course / "autograder" / "checks" / SLUG, folder / "autograder" / "checks" / SLUG)
-    (folder / "solutions").mkdir()
-    (folder / f"{SLUG}.py").write_text(solution_text(SLUG))
-    (folder / "solutions" / f"{SLUG}.py").write_text(solution_text(SLUG))
+    for file in ("{0}.py", "solutions/{0}.py"):
+        hand_in(folder.parent, {SLUG: solution_text(SLUG)}, file=file)
     for path in (folder / "mine.py", folder / "autograder" / "checks" / SLUG / "checks.py"):
         path.write_text(EVIL.format(str(tmp_path / "ran")))
     (folder / "course.toml").write_text('assignments = ["hw08"]\n[hw08]\nchecks = "mine.py"\n')

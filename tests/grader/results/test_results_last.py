@@ -39,8 +39,7 @@ def test_results_are_written_and_found_again(run, tree, tmp_path, monkeypatch, s
 @pytest.mark.parametrize("line", ["my notes", *OTHERS])
 def test_results_of_another_format_are_refused_and_stay(run, tree, tmp_path, capsys, line):
     path = tmp_path / "old" / "results.jsonl"
-    path.parent.mkdir()
-    path.write_text(f"{line}\n")
+    hand_in(tmp_path, {"old": f"{line}\n"}, file=path.name)
     assert run(tree, "--out", tmp_path / "old")[0] == run(tree, "--join", tmp_path / "old")[0] == 2
     assert cli.main(["report", str(tmp_path / "old")]) == 2
     assert ("another version of the grader (line 1)" in capsys.readouterr().err) == (line in OTHERS)

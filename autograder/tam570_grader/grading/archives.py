@@ -1,4 +1,4 @@
-"""Read the files of a download safely: no path leads out of it, no link is followed, and sizes are limited."""
+"""Read downloads and zip files safely: no path leads out of them, no link is followed, and sizes are limited."""
 
 import io
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 from tam570.handin import WRITTEN
 from tam570.notebooks import LARGEST, LARGEST_WITH_OUTPUTS, without_outputs
 from tam570_grader.errors import UsageError, printable
-from tam570_grader.results.collected import form
+from tam570_grader.results.collected import form, is_zip
 
 MOST = 100_000  # files in a download
 MOST_INSIDE = 1000  # files of a student, including those in the student's zip files
@@ -105,11 +105,6 @@ def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File
         is_opened = is_zip(file.path) and not (file.refused or nested)
         work += unpack_zip(file, quota, nested=True) if is_opened else [file]
     return work
-
-
-def is_zip(name: str) -> bool:
-    """Return whether a file's name is that of a zip file."""
-    return name.lower().endswith(".zip")
 
 
 def is_beside(name: str) -> bool:
