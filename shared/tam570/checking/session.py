@@ -20,7 +20,7 @@ from tam570.checking.trail import Trail
 from tam570.checking.visible import Outcomes, Test, collect_tests
 from tam570.course import Stub, contract, folder, stubs
 from tam570.loading import Trouble, guarded_import, loaded, not_utf8, replaced, source_of
-from tam570.notebooks import text_of
+from tam570.notebooks import code_cells, text_of
 from tam570.progress import PASSED, Progress, progress, remember, remembered
 
 MOST_VARIANTS = 2000  # most runs of a test in a search for mistakes
@@ -85,7 +85,7 @@ def check(
     except Trouble as trouble:
         report.trouble(slug, str(trouble))
         return False
-    report.imported(skipped, printed, not_utf8(file))
+    report.imported(_own_cells(skipped, file, slug), printed, not_utf8(file))
     before = remembered(file) if changed or functions else {}
     valid = {test: was for test, was in before.items() if was[0] == now.get(_function(test))}
     tests = _chosen(tests, used, valid if changed else {}, functions)
@@ -207,6 +207,14 @@ def _functions(file: Path, slug: str) -> tuple[Functions, list[str], str]:
         raise Trouble(f"{file.name} defines none of the functions. Are they in {slug}.py?")
     sys.modules[slug] = functions.stand_in()
     return functions, skipped, printed.getvalue()
+
+
+def _own_cells(skipped: Sequence[str], file: Path, slug: str) -> list[str]:
+    """Return the skipped cells that the student wrote; the kit's notebook does not have them."""
+    kit = folder(slug) / "notebook" / f"{slug}.ipynb"
+    released = {text for _, text in code_cells(kit.read_bytes())} if skipped and kit.exists() else set()
+    ours = {f"cell {number}" for number, text in code_cells(source_of(file)) if text in released} if released else set()
+    return [cell for cell in skipped if cell.partition(":")[0] not in ours]
 
 
 def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:

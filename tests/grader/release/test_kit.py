@@ -10,6 +10,7 @@ import zipfile
 
 import pytest
 from classes import HW08 as SLUG
+from classes import notebook
 
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError
@@ -89,3 +90,7 @@ def test_the_command_works_from_the_wheel_alone(unpacked, tmp_path):
     assert "nothing is written yet" in tam570("check", "hw08", fails=True)
     book = json.loads((tmp_path / SLUG / f"{SLUG}.ipynb").read_text())
     assert any("lab.tests" in "".join(cell["source"]) for cell in book["cells"])
+    mine = json.loads(notebook("def skew(v): return v", "1 / 0"))["cells"]
+    (tmp_path / SLUG / f"{SLUG}.ipynb").write_text(json.dumps(book | {"cells": book["cells"] + mine}))
+    said = tam570("check", f"{SLUG}/{SLUG}.ipynb", fails=True)
+    assert said.count("left out") == 1 and "ZeroDivisionError" in said  # the kit's cells need the kernel
