@@ -99,6 +99,10 @@ class ManualAdjustments:
         points = {item: row.points for item, row in self._rows(key).items()}
         return points.get(part) is None and TOTAL not in points and not points.get(EXCUSED)
 
+    def is_late_free(self, late: Entry) -> bool:
+        """Return whether no row says what the days of this `late` row cost."""
+        return bool(late.points) and OFF not in self._rows((late.student, late.slug))
+
     def counts_parts(self, slug: str) -> bool:
         """Return whether everyone's maximum score includes the parts graded by hand."""
         return any(entry.of is not None for entry in self._of.get((EVERYONE, slug), {}).values())

@@ -122,6 +122,11 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys
     assert cli.main([*fill, "--template"]) == 2  # an existing table is not overwritten
 
 
+def test_late_days_that_cost_nothing_are_warned_of(results, capsys):
+    assert points(results, late := "ann,hw07,late,1,") == 0 and "cost nothing" in capsys.readouterr().err
+    assert points(results, late, "*,hw07,off a day,.1,") == 0 and "cost nothing" not in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("score", "items", "rest"),
     [
