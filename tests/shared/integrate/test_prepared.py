@@ -18,8 +18,8 @@ def driven(t, y):
     return y[1], math.cos(t + 0.3) - y[0] ** 3
 
 
-def bouncing(t, y):
-    return y[1], -1.0 if y[0] > 0 else 1.0
+def thrown(t, y, *, length, gravity):
+    return y[1], -length if y[0] > 0 else length
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
@@ -56,15 +56,11 @@ def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
 
 
 def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
-    run = prepared(bouncing, [0, 5], [1.0, 0.0])
-    np.testing.assert_array_equal(run([1.0, 0.0]), solve(bouncing, [0, 5], [1.0, 0.0]))
+    run = prepared(thrown, [0, 5], STARTS[0], parameters=LENGTH)
+    np.testing.assert_array_equal(run(STARTS[0]), solve(thrown, [0, 5], STARTS[0], parameters=LENGTH))
     monkeypatch.setenv("TAM570_COMPILED", "0")
     plain = prepared(pendulum, [0, 5], STARTS[0], parameters=LENGTH)
     np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=LENGTH))
-
-
-def thrown(t, y, *, length, gravity):
-    return y[1], -length if y[0] > 0 else length
 
 
 @pytest.mark.parametrize("rhs", [pendulum, thrown])
@@ -76,39 +72,30 @@ def test_parameters_are_those_of_the_preparation(rhs):
     np.testing.assert_array_equal(run(STARTS[0]), before)
 
 
-@pytest.fixture
-def prepared_call(monkeypatch):
-    """`prepared_call(rhs, times, ...)` -> a function start -> states that calls `solve` and must use its cached run."""
-
-    def repeated(rhs, times, **arguments):
-        call = partial(solver.solve, rhs, times, method="compiled", **arguments)
-        for start in STARTS[:3]:
-            call(start)
-
-        def alone(start):
-            with monkeypatch.context() as patch:
-                patch.setattr(solver, "engine", None)
-                return call(start)
-
-        return alone
-
-    return repeated
+def repeated_call(rhs, times, **arguments):
+    """Return a call of `solve` that has been made often enough to have a cached run."""
+    call = partial(solve, rhs, times, method="compiled", **arguments)
+    for start in STARTS[:3]:
+        call(start)
+    return call
 
 
 @pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), (5.0, 2.0, 1.5)])
 @pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
-def test_a_call_like_ones_before_gives_what_they_gave(prepared_call, monkeypatch, times, rhs, parameters):
-    arguments = {"parameters": parameters, "rtol": 1e-9, "atol": 1e-12}
-    run = prepared_call(rhs, times, **arguments)
-    results = [run(start) for start in STARTS]
+def test_a_call_like_ones_before_gives_what_they_gave(monkeypatch, times, rhs, parameters):
+    run = repeated_call(rhs, times, parameters=parameters, rtol=1e-9, atol=1e-12)
+    with monkeypatch.context() as patch:
+        patch.setattr(solver, "engine", None)  # the cached run needs none
+        results = [run(start) for start in STARTS]
     monkeypatch.setattr("tam570.integrate.compiled_cache.slot_of", lambda *_: None)
     for start, states in zip(STARTS, results, strict=True):
-        np.testing.assert_array_equal(states, solve(rhs, times, start, method="compiled", **arguments))
+        np.testing.assert_array_equal(states, run(start))
 
 
-def test_a_call_of_which_anything_differs_is_another(prepared_call):
+def test_a_call_of_which_anything_differs_is_another(monkeypatch):
     times, arguments = np.array([0.0, 1.0, 3.0]), dict(LENGTH)
-    run = prepared_call(pendulum, times, parameters=arguments)
+    run = repeated_call(pendulum, times, parameters=arguments)
+    monkeypatch.setattr(solver, "engine", None)
     first = run(STARTS[0])
     first[:] = 0.0  # the caller may change a result
     assert run(STARTS[0])[0].tolist() == STARTS[0]
