@@ -11,6 +11,8 @@ from tam570_grader.checks import assignments
 from tam570_grader.diagnosis.mistakes import mistakes
 
 HW04, HW12 = "hw04_hanging_spring", "hw12_bead_on_wire"
+MISTAKES = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(assignments.find(), HW08))}
+SUBTRACTED = MISTAKES["square_subtracted"]
 FAILURES = {  # name: (slug, code that is appended to the solution, words after `now`)
     "raises": (HW08, "def skew(v):\n    raise KeyError(v)", "skew raised KeyError"),
     "none": (HW08, "def skew(v):\n    return None", "skew returned None, not real numbers"),
@@ -39,16 +41,11 @@ def graded(tmp_path_factory, course):
         text, suffix = (notebook(text), "ipynb") if number % 2 else (text, "py")
         hand_in(folder / "submitted", {name: text}, slug, "{0}/{0}." + suffix)
     solution = (course / "solutions" / f"{HW08}.py").read_text()
-    hand_in(folder / "submitted", {"ada": f"{solution}\n\n{subtracted(course).text}"})
+    hand_in(folder / "submitted", {"ada": f"{solution}\n\n{SUBTRACTED.text}"})
     (folder / "right.py").write_text(solution)
     arguments = ["--out", str(folder / "out"), "--seed", "3", "--call", "1", "--jobs", "1"]
     assert cli.main(["--root", str(course), "grade", str(folder / "submitted"), *arguments]) == 0
     return folder
-
-
-def subtracted(course):
-    fields = mistakes(assignments.checks_folder(course, HW08))
-    return next(item for item in fields if item.name == "square_subtracted")
 
 
 @pytest.fixture
@@ -68,8 +65,8 @@ def numbers(said, what):
     return [float(number) for number in re.findall(r"-?\d+\.\d+(?:e-?\d+)?", line)]
 
 
-def test_the_call_is_printed_whole_and_made_again(graded, course, replayed):
-    check = subtracted(course).first_fails
+def test_the_call_is_printed_whole_and_made_again(graded, replayed):
+    check = SUBTRACTED.first_fails
     said = replayed("ada", check, graded / "submitted" / "ada" / HW08 / f"{HW08}.py")
     assert numbers(said, "now") == numbers(said, "actual") != numbers(said, "expected")
     assert "(np.array([" in said, "what was an array is one where the call is pasted"
@@ -88,7 +85,7 @@ def test_every_form_of_failure_is_made_again(graded, replayed, name):
 
 
 @pytest.mark.parametrize("text", first(len(SPOKEN) - 1, SPOKEN))
-def test_what_cannot_be_run_says_why(course, replayed, tmp_path, text):
+def test_what_cannot_be_run_says_why(replayed, tmp_path, text):
     (tmp_path / "new.py").write_text(text)
-    said = replayed("ada", subtracted(course).first_fails, tmp_path / "new.py")
+    said = replayed("ada", SUBTRACTED.first_fails, tmp_path / "new.py")
     assert SPOKEN[text] in said.rpartition("now:")[2]
