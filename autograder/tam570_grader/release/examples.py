@@ -7,7 +7,6 @@ comparison that fails a right submission in another style is not released.
 import json
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -26,7 +25,7 @@ from tam570_grader.sandbox.pool import Attempt, sandboxes, tried
 from tam570_grader.sandbox.student import Source, Student
 from tam570_grader.sandbox.zygote import ResourceLimits, Zygote
 
-PUBLIC_SEED = 1
+PUBLIC_SEED = 0xB52C40872108D7BD3A8A619336F349E9  # random, so that no class has it: its inputs are public
 MOST_NUMBERS = 160  # most numbers in an example's arguments; its JSON may have 40 characters for each
 MOST_OF_A_LABEL = 2  # candidates per function, label of the input and compared member
 Example = Json
@@ -58,11 +57,6 @@ def examples_of(course: Path, slug: str) -> str:
     released = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
     distinguishing = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
     return f'{{"examples": [\n{released}\n], "mistakes": [\n{distinguishing}\n]}}\n'
-
-
-def caught(examples: Examples, module: ModuleType) -> bool:
-    """Return whether a module fails any of the examples."""
-    return any(_wrong(examples, k, getattr(module, call["function"], None)) for k, call in enumerate(examples.calls))
 
 
 def _candidates(assignment: LoadedAssignment) -> list[Example]:

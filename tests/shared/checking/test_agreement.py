@@ -3,13 +3,16 @@
 import json
 
 import pytest
+from parameters import SLUGS, first
 
 from tam570.checking import deadline, session
-from tam570.checking.examples import FILE, closed
+from tam570.checking.examples import closed, load_examples, plain
 from tam570.checking.trail import Trail
 from tam570.progress import recalled
 from tam570_grader.checks import assignments
+from tam570_grader.checks.expect import check_context
 from tam570_grader.diagnosis.mistakes import mistakes
+from tam570_grader.grading.run_checks import generator
 
 
 @pytest.mark.slow
@@ -31,6 +34,23 @@ def test_known_mistakes_fail_at_home_and_at_the_same_function(desk, course, solu
 
 def test_home_has_the_sentences_of_today(slug, course):
     """The examples have only messages of known mistakes; `tam570-grader stubs --examples` updates them."""
-    at_home = json.loads((course / "assignments" / slug / FILE).read_text())["mistakes"]
+    at_home = load_examples(course / "assignments" / slug).mistakes
     today = {closed(mistake.message) for mistake in mistakes(assignments.checks_folder(course, slug))}
     assert {mistake["message"] for mistake in at_home} <= today
+
+
+@pytest.mark.parametrize("slug", first(1, SLUGS))
+def test_a_small_seed_gives_no_inputs_of_the_examples(slug, course, student_of, solution_text):
+    """A class with seed 1 shares with the examples only the inputs that every seed gives."""
+    student = student_of(slug, solution_text(slug))
+
+    def inputs(seed):
+        student.calls.clear()
+        for check in assignments.assignment(course, slug).checks:
+            with check_context():
+                check.run(student, generator(seed, slug, check))
+        return {json.dumps([plain(call.case.args), *map(plain, call.case.kwargs.values())]) for call in student.calls}
+
+    calls = load_examples(course / "assignments" / slug).calls
+    public = {json.dumps([{"tuple": call["args"]}, *call["kwargs"].values()]) for call in calls}
+    assert inputs(1) & public <= inputs(2)
