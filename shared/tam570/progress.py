@@ -88,8 +88,8 @@ def remember(file: Path, outcomes: Mapping[str, tuple[str, str]], state: Progres
 
 def recalled(file: Path) -> tuple[Progress, bool] | None:
     """Return the stored progress and whether the file is unchanged since; None if it was never checked."""
-    then = _read(PROGRESS).get(_name(file))
-    return (then["progress"], then["digest"] == digest(file)) if then else None
+    stored = _read(PROGRESS).get(_name(file))
+    return (stored["progress"], stored["digest"] == digest(file)) if stored else None
 
 
 def hints_given(slug: str, function: str) -> int:

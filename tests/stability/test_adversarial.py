@@ -578,10 +578,10 @@ def noise(seed, since=0.0):
     return lambda t, y: (-y[0] + (rng.normal() if t >= since else 0.0),)
 
 
-def kept_by_time(t, y, kept=[math.nan, ()]):  # noqa: B006
-    if t != kept[0]:
-        kept[:] = t, (y[1], -y[0] - 0.1 * y[0] * y[1])
-    return kept[1]
+def kept_by_time(t, y, memory=[math.nan, ()]):  # noqa: B006
+    if t != memory[0]:
+        memory[:] = t, (y[1], -y[0] - 0.1 * y[0] * y[1])
+    return memory[1]
 
 
 class Mine(ValueError):

@@ -123,8 +123,8 @@ def where_it_rests(student):
             return source
         candidates = {"It is above the origin.": -1, "Your centre lacks the mass.": 1 / case.kwargs["mass"]}
         near = partial(np.allclose, result[0], rtol=0, atol=POINTWISE * length(case))
-        named = (message for message, share in candidates.items() if near(share * expected[0]))
-        return next(named, "Where do spring and weight balance?")
+        matching = (message for message, share in candidates.items() if near(share * expected[0]))
+        return next(matching, "Where do spring and weight balance?")
 
     return hint
 
@@ -150,8 +150,8 @@ def about(centre, case, rate):
 
 def own_source(student, case, centre, axes):
     """Return FollowsFrom the student's own wrong centre or motion to which the ellipse belongs; empty if to none."""
-    own = about(centre, case, reference.rate_of(**case.kwargs))
-    is_about_it = np.allclose(axes.T @ axes, own, rtol=0, atol=TENSOR * np.trace(own))
+    tensor = about(centre, case, reference.rate_of(**case.kwargs))
+    is_about_it = np.allclose(axes.T @ axes, tensor, rtol=0, atol=TENSOR * np.trace(tensor))
     return FollowsFrom("orbit") if is_about_it else own_motion(student, case, centre, axes)
 
 

@@ -53,10 +53,10 @@ def unbalanced(theta, omega, alpha, forces, masses, lengths, gravity):
     """Return (6,) N, for each bar: residuals of Newton's law along x and y, and of moments about its mass centre."""
     _, levers, rest = kinematics(theta, omega, lengths)
     ceiling, elbow = forces @ [1, 1j]
-    law = masses * (levers @ alpha + rest + 1j * gravity) - [ceiling - elbow, elbow]
+    newton = masses * (levers @ alpha + rest + 1j * gravity) - [ceiling - elbow, elbow]
     half = -0.5j * lengths * np.exp(np.multiply(1j, theta))
     moments = masses * lengths**2 / 12 * alpha + (half.conj() * [ceiling + elbow, elbow]).imag
-    return np.abs([law.real, law.imag, moments / lengths]).T.ravel()
+    return np.abs([newton.real, newton.imag, moments / lengths]).T.ravel()
 
 
 def energy(theta, omega, **bars):

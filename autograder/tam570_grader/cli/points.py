@@ -64,8 +64,8 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
     with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # locked: no other command adds rows
-        by_hand = manual_points.read(folder).with_(new)
-        adjustments, open_, notes = late_policy.apply_late_policy(by_hand, policies, store, arguments.collected)
+        manual = manual_points.read(folder).with_(new)
+        adjustments, open_, notes = late_policy.apply_late_policy(manual, policies, store, arguments.collected)
         if free := sorted({entry.slug for entry in new if entry.item == LATE and adjustments.is_late_free(entry)}):
             notes.append(
                 f"Late days in {', '.join(free)} cost nothing; add a row '{manual_points.OFF}' with their cost."

@@ -97,7 +97,7 @@ def apply_late_policy(
     days, open_ = _days(policies, adjustments, table, collected)
     open_ += _unknown_students(policies, results)
     untimed = sum(not (row["when"] or row["late"]) for row in table)
-    note = f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"
+    warning = f"{counted(untimed, 'file')} in {collected} have no time: nobody is late by them; {REMEDY}"
     anew = {(BY_TABLE, row["assignment"]) for row in table}  # rows that the table replaces
     manual = {
         key: entry
@@ -114,7 +114,7 @@ def apply_late_policy(
             )
     # rows written by hand have precedence over times
     late = [entry for entry in days if entry.slug in slugs and entry.key not in manual]
-    return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, [note] if untimed else []
+    return ManualAdjustments(manual.values()).with_([*rows, *late]), open_, [warning] if untimed else []
 
 
 def _graded(table: Iterable[Mapping[str, str]], results: Results) -> Iterator[Mapping[str, str]]:

@@ -388,17 +388,17 @@ def _single_entry(solution: str, name: str, calls: Sequence[ComparedCall]) -> Ca
         return None
     axes = AXES[len(form)][-len(places[0]) :]
     where = ", ".join(f"{axis} {index + 1}" for axis, index in zip(axes, places[0], strict=True))
-    place = (slice(None),) * (len(form) - len(axes)) + tuple(places[0])
-    wrong = partial(_wrong_in_place, solution, name, place)
+    position = (slice(None),) * (len(form) - len(axes)) + tuple(places[0])
+    wrong = partial(_wrong_in_place, solution, name, position)
     return Cause(name, f"Your result of {name} is wrong in {where} alone", "place", (wrong,))
 
 
-def _wrong_in_place(solution: str, name: str, place: tuple[int | slice, ...], call: Call) -> Numbers:
+def _wrong_in_place(solution: str, name: str, position: tuple[int | slice, ...], call: Call) -> Numbers:
     """Return the right answer with the student's number in one place; for other functions the right answer."""
     expected = answer(solution, "", call)
     if call.name == name and np.shape(call.result) == np.shape(expected) != ():
         expected = np.array(expected)
-        expected[place] = np.asarray(call.result)[place]
+        expected[position] = np.asarray(call.result)[position]
     return expected
 
 

@@ -343,8 +343,8 @@ def _input_with_numbers(run: _Run, failure: Failure) -> object:
 
 def _same_words(before: Failure, failure: Failure) -> bool:
     """Return whether two functions fail with the same message at inputs with the same label (neither raises, say)."""
-    alike = before.message.replace(before.function, failure.function) == failure.message != ""
-    return alike and before.label == failure.label != ""
+    is_same = before.message.replace(before.function, failure.function) == failure.message != ""
+    return is_same and before.label == failure.label != ""
 
 
 def _same_number(run: _Run, other: str, calls: Sequence[Call]) -> bool:

@@ -48,8 +48,8 @@ class CheckResult:
         del line["failure"]
         if self.failure:
             usual = {field.name: field.default for field in fields(self.failure)}
-            told = {name: value for name, value in vars(self.failure).items() if value is not usual[name]}
-            line["failure"] = {name: numbers(value) for name, value in told.items()}
+            changed = {name: value for name, value in vars(self.failure).items() if value is not usual[name]}
+            line["failure"] = {name: numbers(value) for name, value in changed.items()}
         return line
 
 

@@ -98,8 +98,8 @@ def test_what_is_refused_is_judged_after_wrong_numbers(checked, wrong, outcome):
 
 
 def test_a_wrong_entry_of_a_matrix_is_one_mistake(checked):
-    again = "\n\nright = rotation_matrix\n\n\ndef rotation_matrix(axis, angle):\n    return right(axis, angle) * {}\n"
-    actual = checked("hw08_axis_angle", more=again.format("[[1, 1, 1], [1, 1.1, 1], [1, 1, 1]]"))
+    wrapper = "\n\nright = rotation_matrix\n\n\ndef rotation_matrix(axis, angle):\n    return right(axis, angle) * {}\n"
+    actual = checked("hw08_axis_angle", more=wrapper.format("[[1, 1, 1], [1, 1.1, 1], [1, 1, 1]]"))
     assert by_name(actual) == ["matrix_turns_by_the_right_hand_rule"]
     assert following(actual) == {("rotation_matrix", "rotation_matrix")}
 
@@ -333,10 +333,10 @@ EVEN_TIMES = "_rates, t,", "_rates, np.linspace(t[0], t[-1], len(t)),"
 LOST_SIGN = "(x * vy - y * vx) / length**2", "math.hypot(vx, vy) / length"
 
 
-@pytest.mark.parametrize(("line", "named"), [(EVEN_TIMES, False), (LOST_SIGN, True)])
-def test_a_mistake_in_the_rows_is_one_and_what_passes_with_it_keeps_its_points(checked, line, named):
+@pytest.mark.parametrize(("line", "is_named"), [(EVEN_TIMES, False), (LOST_SIGN, True)])
+def test_a_mistake_in_the_rows_is_one_and_what_passes_with_it_keeps_its_points(checked, line, is_named):
     actual = checked("hw05_constrained_pendulum", line)
-    assert following(actual) == {("simulate", "simulate")} and bool(by_name(actual)) == named
+    assert following(actual) == {("simulate", "simulate")} and bool(by_name(actual)) == is_named
     assert actual["at_the_very_top_it_stays"].outcome == "passed"
 
 

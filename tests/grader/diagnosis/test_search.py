@@ -67,7 +67,7 @@ def stairs(n, m):
     return total + m**2
 
 
-""" + "\n\n".join(f"def {head}:\n    return {formula}\n" for head, formula in FORMULAS.items())
+""" + "\n\n".join(f"def {signature}:\n    return {formula}\n" for signature, formula in FORMULAS.items())
 DRAW = np.random.default_rng(2)
 
 

@@ -58,7 +58,7 @@ def test_what_tells_no_assignment_is_warned_of(class_of, name):
 
 def test_what_was_not_collected_is_warned_of_for_who_has_nothing_else(class_of):
     tree = class_of([f"ada/{HW08}/{HW08}.py"])
-    rows = [(who, "", HW08, "", "", "", f"{who}.zip", note) for who in ("ada", "bob") for note in ("older", "damaged")]
+    rows = [(who, "", HW08, "", "", "", f"{who}.zip", why) for who in ("ada", "bob") for why in ("older", "damaged")]
     write_table(tree.parent / TABLE, [COLUMNS, *rows])
     (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
     assert warning == "bob.zip of bob is not collected: damaged"
