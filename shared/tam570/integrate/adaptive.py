@@ -356,8 +356,14 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         later = [t + h * 4.0**k for k in range(doublings)]  # times at which a force may set in
         sizes = error_scale(rhs, t, h, y, g, c, later)
         if min(sizes) <= NO_SCALE:  # a Hertz contact, which no small change reveals
-            n = engine.functions["step"](t, h, y, (0.0,) * len(y), g, sizes, (0.0,) * len(y), run.rtol, c)[0]
-            sizes = tuple(max(s, abs(b - v)) if b - v < math.inf else s for s, b, v in zip(sizes, n, y, strict=True))
+            zeros = (0.0,) * len(y)
+            n = engine.functions["step"](t, h, y, zeros, g, sizes, zeros, run.rtol, c)[0]
+            noise = engine.functions["roundoff"](origin, h, tuple(run.rows[0].tolist()), f, zeros, c)
+            moves = (abs(later - v) for later, v in zip(n, y, strict=True))
+            sizes = tuple(
+                max(size, move) if least < move < math.inf else size
+                for size, least, move in zip(sizes, noise, moves, strict=True)
+            )
         fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
         a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
     h = control.first_step or h
