@@ -29,7 +29,7 @@ def grade(submissions: "Iterable[str | Path]", config: "RunConfig | None" = None
     Parameters
     ----------
     submissions : paths
-        Modules, notebooks, their folders, or trees `<student>/<assignment>/`, as for `tam570-grader grade`.
+        Modules, notebooks, zip files, their folders, or trees `<student>/<assignment>/`, as for `tam570-grader grade`.
     config : RunConfig, optional
         Course, seed, processes, limits. By default the installed course, a random seed, one process per core.
 

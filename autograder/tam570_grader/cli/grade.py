@@ -47,12 +47,12 @@ class RunSummary:
 def add_grade(parser: argparse.ArgumentParser) -> None:
     """Add the options of `grade`."""
     parser.set_defaults(command=_grade)
-    parser.description = "Grade modules, notebooks, their folders, or a tree of submissions <student>/<assignment>/."
+    parser.description = "Grade modules, notebooks, zip files, their folders, or a tree of submissions <student>/<assignment>/."
     parser.epilog = (
         "The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage."
     )
     add = parser.add_argument
-    add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a folder or a tree")
+    add("paths", nargs="+", type=Path, metavar="PATH", help="a module, a notebook, a zip file, a folder or a tree")
     add("--out", type=Path, metavar="DIR", help="write results.jsonl, grades.csv and feedback there")
     add("--json", action="store_true", help="print a JSON object for each submission, one a line")
     form = "the format of the printed results (default: %(default)s)"

@@ -57,7 +57,7 @@ class Submission:
 def submissions(
     paths: Iterable[Path], slugs: Sequence[str], slug: str | None = None, students: Collection[str] = ()
 ) -> list[Submission]:
-    """Return all submissions at these paths: modules, notebooks, their folders, or trees `<student>/<assignment>/`.
+    """Return all submissions at these paths: modules, notebooks, zip files, folders or trees `<student>/<assignment>/`.
 
     slugs    : the course's assignments
     slug     : the assignment, if the names of files do not tell
@@ -185,8 +185,8 @@ def _is_plainly_in(path: str, tree: str) -> bool:
 
 
 def _of_file(path: Path, slugs: Sequence[str], chosen: str | None) -> Submission:
-    if not form(path.name):
-        raise BadPath(f"{path} is neither a Python module (.py) nor a notebook (.ipynb)")
+    if not form(path.name) and not is_zip(path.name):
+        raise BadPath(f"{path} is neither a Python module (.py), a notebook (.ipynb) nor a zip file")
     slug = chosen or slug_of(path.stem, slugs) or slug_of(path.absolute().parent.name, slugs)
     if slug is None:
         raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(slugs)}")
