@@ -1,8 +1,6 @@
 """The grading engine of tam570; also the names that hidden checks import."""
 
 import os
-from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 if os.name != "posix":
@@ -11,6 +9,9 @@ if os.name != "posix":
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+    from pathlib import Path
+
     from tam570_grader.checks.public import *  # noqa: F403
     from tam570_grader.grading.batch import RunConfig
     from tam570_grader.results.records import Result

@@ -1,5 +1,10 @@
-"""Run the command `tam570-grader` for `python -m tam570_grader`."""
+"""The command `tam570-grader`, also by `python -m tam570_grader`."""
 
-from tam570_grader.cli import run
+from tam570.signals import end_at_once
 
-run()
+end_at_once()  # the imports take time
+
+from tam570_grader.cli import run  # noqa: E402
+
+if __name__ == "__main__":
+    run()

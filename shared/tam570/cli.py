@@ -32,6 +32,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         _must_be_a_command(parser, (sys.argv[1:] if argv is None else argv)[:1])
         arguments = parser.parse_args(argv)
+        end_as_by_ctrl_c()
         command: Callable[[argparse.Namespace], int] = arguments.command
         return command(arguments)
     except Unknown as error:
@@ -200,7 +201,6 @@ def _check(arguments: argparse.Namespace) -> int:
     files = work.chosen(arguments.what, arguments.assignment)
     from tam570 import checking
 
-    end_as_by_ctrl_c()
     if arguments.watch:
         return checking.watch(files)
     for function in arguments.functions:

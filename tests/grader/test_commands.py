@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import signal
 import subprocess
 import sys
 
@@ -35,6 +36,14 @@ def test_the_help_lists_every_command_whatever_follows(capsys):
     with pytest.raises(SystemExit):
         grader.main(["--help", "grade"])
     assert set(grader.COMMANDS) <= set(capsys.readouterr().out.split())
+
+
+@pytest.mark.parametrize("package", ["tam570", "tam570_grader"])
+def test_ctrl_c_during_the_imports_prints_no_traceback(tmp_path, package):
+    (tmp_path / "argparse.py").write_text("import os, signal\nos.kill(os.getpid(), signal.SIGINT)\n")
+    code = f"import sys\nsys.path.insert(0, {str(tmp_path)!r})\nimport {package}.__main__"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert (run.returncode, run.stderr) == (-signal.SIGINT, "")  # a shell reports 130
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="counts threads in /proc")

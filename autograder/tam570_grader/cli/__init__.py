@@ -40,9 +40,9 @@ COMMANDS = {  # the module and the help of each command, in the order of the hel
 
 def main(argv: list[str] | None = None) -> int:
     """Run a command; return the exit code: 0 (done), 1 (the grader failed), 2 (bad usage) or 130 (interrupted)."""
-    end_as_by_ctrl_c()
     try:
         arguments = _parser().parse_args(argv)
+        end_as_by_ctrl_c()
         command: Callable[[argparse.Namespace], int] = arguments.command
         return command(arguments)
     except KeyboardInterrupt as ended:

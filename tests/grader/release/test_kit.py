@@ -46,7 +46,7 @@ def test_the_kit_holds_the_assignments_and_no_secret(unpacked, course):
 
 def test_its_only_command_is_the_students(unpacked):
     (entry_points,) = unpacked.glob("*.dist-info/entry_points.txt")
-    assert entry_points.read_text().split() == ["[console_scripts]", "tam570", "=", "tam570.cli:main"]
+    assert entry_points.read_text().split() == ["[console_scripts]", "tam570", "=", "tam570.__main__:main"]
     (metadata,) = unpacked.glob("*.dist-info/METADATA")
     required = re.findall("^Requires-Dist: ([a-z]+)", metadata.read_text().partition("\n\n")[0], re.MULTILINE)
     assert {"numpy", "scipy", "matplotlib", "sympy", "pytest"} <= set(required) and "msgpack" not in required
