@@ -1,10 +1,9 @@
 """Cache of compiled runs, for calls of `solve` that differ only in the start."""
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from tam570.integrate.adaptive import Control, of_steps, start_run
 from tam570.integrate.arguments import Array
@@ -36,7 +35,7 @@ def compile_run(engine: Engine, times: Array, control: Control) -> CompiledRun:
 
 
 def slot_of(
-    method: str, rhs: Numbers, t: ArrayLike, y0: Numbers, parameters: Parameters | None, rtol: float, atol: Numbers
+    method: str, rhs: Numbers, t: Numbers, y0: Numbers, parameters: Parameters | None, rtol: float, atol: Numbers
 ) -> Slot | None:
     """Return the cache slot of runs with these arguments, or None if there is none.
 
@@ -46,16 +45,13 @@ def slot_of(
         return None
     try:
         key = call_key(rhs, parameters)
-        times = t if isinstance(t, tuple) else _numbers(t)
+        if not isinstance(t, tuple):
+            times = np.asarray(t, dtype=float)
+            t = times.shape, times.tobytes()
         start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
-        return cache_slot((key, start, times, rtol, atol))
+        return cache_slot((key, start, t, rtol, atol))
     except (Changeable, TypeError, ValueError, OverflowError):
         return None
-
-
-def _numbers(t: ArrayLike) -> Hashable:
-    times = np.asarray(t, dtype=float)
-    return times.shape, times.tobytes()
 
 
 def keep(slot: Slot, engine: Engine, times: Array, control: Control) -> None:

@@ -360,11 +360,10 @@ def _interpolant(functions: dict[str, Numbers], c: Numbers, tried: tuple[Numbers
     q = functions["dense"](start, h, y, n, f, g, stages, c)
 
     def state(x: float) -> Array:
-        rows = np.empty((1, len(y)))
         if x == 1:
             return np.array(n)
-        functions["at"](rows, 0, x, y, q)
-        row: Array = rows[0]
-        return row
+        row = np.empty((1, len(y)))
+        functions["at"](row, 0, x, y, q)
+        return row.ravel()
 
     return StepInterpolant(start, h, state)

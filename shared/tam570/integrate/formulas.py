@@ -81,17 +81,14 @@ def halves(graph: Graph) -> tuple[Formulas, Formulas, tuple[float, ...]]:
 
 def call_of(size: int, timed: bool = True) -> Formulas:
     """Return formulas that call `rhs` for `size` components; timed : whether it depends on t."""
-    rates = tuple(f"p{i}" for i in range(size))
-    line = f"{tuple_of(rates)} = rhs({'t' if timed else '0.0'}, {tuple_of(names('s', size))}, c)"
-    return Formulas((line,), rates, 0, frozenset(range(size)), timed)
+    return by_call(Formulas((), tuple(names("p", size)), 0, frozenset(range(size)), timed))
 
 
 def by_call(formulas: Formulas) -> Formulas:
     """Return formulas that call `rhs` but have the same zero rates and inputs: shorter, so faster to compile."""
     rates = tuple("0.0" if rate == "0.0" else f"p{i}" for i, rate in enumerate(formulas.rates))
-    results = tuple_of(f"p{i}" for i in range(formulas.size))
     state = tuple_of(f"s{i}" if i in formulas.reads else "0.0" for i in range(formulas.size))
-    line = f"{results} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
+    line = f"{tuple_of(names('p', formulas.size))} = rhs({'t' if formulas.timed else '0.0'}, {state}, c)"
     return Formulas((line,), rates, 0, formulas.reads, formulas.timed)
 
 

@@ -137,7 +137,7 @@ class CalledRates:
             if any(abs(a - b) > 0.0 for a, b in zip(there, repeated, strict=True)):
                 raise _memory_error(there, repeated)
             above, below = (_changes(self, t, h, state, there, side) for side in (1.0, -1.0))
-        except (ArithmeticError, ValueError, LookupError):
+        except TRIAL_ERRORS:
             return tuple(b)
         widths = (ESTIMATE_ROUNDOFF * h * _noise(*four) for four in zip(*above, *below, strict=True))
         return tuple(x if x < math.inf else 0.0 for x in widths)

@@ -165,14 +165,12 @@ def _decay(rhs: Function, t: float, y: Sequence[float], m: Sequence[float], c: N
         size = sqrt(sum(a * a for a in along)) / PART
         changed = [v + a / size * scale for v, a, scale in zip(y, along, m, strict=True)]
         moved = rhs(t, tuple(changed), c)
-        onward = [_share(b - a, scale) * size for a, b, scale in zip(rates, moved, m, strict=True)]
+        onward = [
+            (b - a) / scale * size if scale > NO_SCALE else 0.0 for a, b, scale in zip(rates, moved, m, strict=True)
+        ]
         fastest = sqrt(sum(b * b for b in onward))
         if not 0 < fastest < 1e300:
             return 0.0
         back = -sum(a * b for a, b in zip(along, onward, strict=True)) / (size * PART * fastest)
         along, rate = onward, fastest / (size * PART)
     return rate if back > 0.9 else 0.0
-
-
-def _share(x: float, scale: float) -> float:
-    return x / scale if scale > NO_SCALE else 0.0

@@ -52,9 +52,8 @@ def _taylor(laws: Recurrences, lanes: int = 1) -> Operand:
 
 
 class Memory(NamedTuple):
-    """One block of memory for compiled code: call arguments, z, work, time and constants."""
+    """Parts of one block of memory for compiled code: call arguments, z, work, time and constants."""
 
-    block: Array
     z: Array
     time: Array
     call_arguments: memoryview  # packed by `taylor.CALL`
@@ -253,7 +252,7 @@ def _memory(per_lane: int, work: int, lanes: int, constants: tuple[float, ...]) 
     z, time, start = block[first : places[1]], block[places[2] : places[3]], address_of(block)
     whole_bytes = block.data.cast("B")
     call_arguments, state = whole_bytes[: 8 * first], whole_bytes[8 * first : 8 * places[1]]
-    return Memory(block, z, time, call_arguments, state, tuple(start + 8 * offset for offset in places), start)
+    return Memory(z, time, call_arguments, state, tuple(start + 8 * offset for offset in places), start)
 
 
 def until_done(some: Callable[[int], bool]) -> None:
@@ -302,17 +301,10 @@ def _loop(
     march = function(modules, entry, loops.KINDS)
 
     def run(origin: float, times: Array, out: Array, state: Operand, c: Operand, x: float, *rest: float) -> Operand:
-        numbers, call_arguments = np.array(loops.flat(state)), np.array(c, dtype=float)
+        numbers, call_arguments = np.array(loops.flat(state), dtype=float), np.array(c, dtype=float)
         longest, budget = rest if len(rest) == 2 else (math.inf, *rest)
-        march(
-            *(a.ctypes.data for a in (numbers, call_arguments, times)),
-            len(times),
-            out.ctypes.data,
-            origin,
-            x,
-            longest,
-            budget,
-        )
+        inputs = (a.ctypes.data for a in (numbers, call_arguments, times))
+        march(*inputs, len(times), out.ctypes.data, origin, x, longest, budget)
         return loops.unflat(iter(numbers.tolist()), state)
 
     return run

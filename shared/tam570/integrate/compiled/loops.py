@@ -3,6 +3,8 @@
 import ast
 import ctypes
 import inspect
+import itertools
+from collections.abc import Iterator
 from types import ModuleType
 
 from tam570.integrate.compiled.ir import Array, Operand, Value, Writer
@@ -16,9 +18,9 @@ HEAD = """define void @{name}(ptr %state, ptr %c, ptr %times, i64 %rows, ptr %ou
 entry:"""
 
 
-def flat(state: Operand) -> list[float]:
-    """Return the numbers of a state, which is a nested tuple of numbers."""
-    return [x for part in state for x in (flat(part) if isinstance(part, tuple) else [float(part)])]
+def flat(state: Operand) -> list[Operand]:
+    """Return the numbers or values of a state, which is a nested tuple of them."""
+    return [x for part in state for x in flat(part)] if isinstance(state, tuple) else [state]
 
 
 def unflat(numbers: Operand, like: Operand) -> Operand:
@@ -39,32 +41,24 @@ def loop_text(
     functions = {**functions_of(inspect.getsource(loop)), **functions_of(generated)}
     numbers = {name: value for name, value in vars(loop).items() if name.isupper()}
     rhs = functions.pop("rhs", None)
-    records = {name: _tuple for name, value in vars(loop).items() if hasattr(value, "_fields")}
+    records = {name: lambda _, *parts: parts for name, value in vars(loop).items() if hasattr(value, "_fields")}
     names = {**numbers, **records, **({"rhs": _call_of_rhs} if rhs else {})}
     writer = Translator(functions, names)
     c = tuple(writer.emit("double", f"load double, ptr {writer.element('%c', i)}") for i in range(constants))
-    places = iter(range(len(flat(like))))
-    state = _loaded(writer, like, places)
-    arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", _size(like))
+    state = _loaded(writer, like, itertools.count())
+    arrays = Array("%times", None, Value("i64", "%rows")), Array("%out", len(like.y))
     origin, x, budget = Value("double", "%origin"), Value("double", "%x"), Value("i64", "%budget")
     longest = [Value("double", "%longest")] if handed else []
     translator = [tuple(writer.globals[name] for name in handed)] if handed else []
     result = writer.call(writer.globals[entry], [*translator, origin, *arrays, state, c, x, *longest, budget])
-    for i, value in enumerate(_leaves(result)):
+    for i, value in enumerate(flat(result)):
         writer.do(f"store double {writer.text(value, 'double')}, ptr {writer.element('%state', i)}")
     body = [HEAD.format(name=entry), *writer.allocations, *writer.lines, "  ret void", "}"]
-    return assembled([*writer.constants(), *(_rhs_text(rhs, _size(like), constants) if rhs else []), *body])
+    return assembled([*writer.constants(), *(_rhs_text(rhs, len(like.y), constants) if rhs else []), *body])
 
 
-def _size(like: Operand) -> int:
-    return len(like.y)
-
-
-def _tuple(_: Operand, *parts: Operand) -> tuple[Operand, ...]:
-    return parts
-
-
-def _loaded(writer: Writer, like: Operand, places: Operand) -> Operand:
+def _loaded(writer: Writer, like: Operand, places: Iterator[int]) -> Operand:
+    """Load a state with the structure of `like` from memory; places : indices of its numbers."""
     parts: list[Operand] = []
     for part in like:
         if isinstance(part, tuple):
@@ -74,10 +68,6 @@ def _loaded(writer: Writer, like: Operand, places: Operand) -> Operand:
         is_integer = isinstance(part, int)
         parts.append(writer.emit("i64", f"fptosi double {number.text} to i64") if is_integer else number)
     return tuple(parts)
-
-
-def _leaves(value: Operand) -> list[Operand]:
-    return [x for part in value for x in _leaves(part)] if isinstance(value, tuple) else [value]
 
 
 def _call_of_rhs(writer: Operand, t: Operand, state: tuple[Operand, ...], _: Operand) -> tuple[Value, ...]:

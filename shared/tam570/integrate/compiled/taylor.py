@@ -74,16 +74,12 @@ def loop_module(loop: Loop) -> str:
     several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
-    lines = [*_head(), *translator.allocations, *translator.lines, "  ret void", "}"]
-    return assembled([*translator.constants(), *lines])
-
-
-def _head() -> list[str]:
-    lines = ["define void @advance(ptr %arguments) {", "entry:"]
+    head = ["define void @advance(ptr %arguments) {", "entry:"]
     for position, (name, ir_type) in enumerate(ARGUMENTS.items()):
-        lines += [f"  %{name}.at = getelementptr i64, ptr %arguments, i64 {position}"]
-        lines += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
-    return lines
+        head += [f"  %{name}.at = getelementptr i64, ptr %arguments, i64 {position}"]
+        head += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
+    body = [*translator.allocations, *translator.lines, "  ret void", "}"]
+    return assembled([*translator.constants(), *head, *body])
 
 
 def _call_of(name: str) -> Operand:
@@ -133,13 +129,10 @@ def _power_of_2(writer: Operand, x: Value) -> Value:
     floor = writer.call("floor", [limited])
     integer = writer.emit(integers, f"fptosi {ir_type} {floor.text} to {integers}").text
     bias, bits = (writer.text(Value("i64", str(k)), integers) for k in (1023, 52))
-    exponent = writer.emit(
-        integers, f"shl {integers} {writer.emit(integers, f'add {integers} {integer}, {bias}').text}, {bits}"
-    ).text
-    power, rest = (
-        writer.emit(ir_type, f"bitcast {integers} {exponent} to {ir_type}"),
-        writer.arithmetic(ast.Sub(), limited, floor),
-    )
+    biased = writer.emit(integers, f"add {integers} {integer}, {bias}").text
+    exponent = writer.emit(integers, f"shl {integers} {biased}, {bits}").text
+    power = writer.emit(ir_type, f"bitcast {integers} {exponent} to {ir_type}")
+    rest = writer.arithmetic(ast.Sub(), limited, floor)
     slope = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, 0.34), 0.66)
     factor = writer.arithmetic(ast.Add(), writer.arithmetic(ast.Mult(), rest, slope), 1.0)
     return Value(ir_type, writer.arithmetic(ast.Mult(), power, factor).text)
