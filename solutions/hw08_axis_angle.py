@@ -47,7 +47,7 @@ def rotate(r, axis, angle):
     Raises ValueError if the axis is zero or not finite.
     """
     n = _unit(axis)
-    return np.cos(angle) * r + _versine(angle) * np.dot(n, r) * n + np.sin(angle) * np.cross(n, r)
+    return np.cos(angle) * r + _versine(angle) * np.dot(n, r) * n + np.sin(angle) * skew(n) @ r
 
 
 def _versine(angle):
@@ -58,8 +58,8 @@ def _versine(angle):
 def _unit(axis):
     """The unit vector along an axis; scaled first, so that no length over- or underflows."""
     axis = np.asarray(axis, dtype=float)
-    largest = np.max(np.abs(axis))
-    if not (np.isfinite(largest) and largest > 0.0):
+    largest = np.abs(axis).max()
+    if not 0.0 < largest < np.inf:
         raise ValueError(f"a rotation axis must be finite and not zero, and this one is {axis}")
     scaled = axis / largest
     return scaled / np.sqrt(scaled @ scaled)
