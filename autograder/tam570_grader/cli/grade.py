@@ -47,7 +47,9 @@ class RunSummary:
 def add_grade(parser: argparse.ArgumentParser) -> None:
     """Add the options of `grade`."""
     parser.set_defaults(command=_grade)
-    parser.description = "Grade modules, notebooks, zip files, their folders, or a tree of submissions <student>/<assignment>/."
+    parser.description = (
+        "Grade modules, notebooks, zip files, their folders, or a tree of submissions <student>/<assignment>/."
+    )
     parser.epilog = (
         "The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage."
     )

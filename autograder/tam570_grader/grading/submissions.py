@@ -26,6 +26,8 @@ MOST_KEPT = 40  # characters kept of an id that cannot name a folder
 NO_NAME = '/\\<>:"|?*'  # characters that some operating system forbids in names of folders
 HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # prefixes that hide a folder, or make its name look like an option
 MOST_FILES = 1000  # in the folder of a student or of an assignment
+DEFINED = re.compile(rb'(?:^|"|\\n)def ', re.MULTILINE)  # a function in a module or notebook
+UNWRITTEN = re.compile(rb'["\':][\s\\n",]*raise NotImplementedError')  # after a signature or docstring
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
 DEEPEST = 4  # levels of nested folders that are searched for a student's work
 MOST_NAMES = 10  # names of files listed in a message
@@ -75,7 +77,7 @@ def submissions(
 
 
 def handed_in(folder: Path, slug: str) -> Submission:
-    """Return one student's work on one assignment: zip files last, files named after it first, then the shallowest."""
+    """Return one student's work on one assignment: begun, then named after it, then unpacked, then the shallowest."""
     tree, deeper = folder.resolve(), [folder.absolute()]
     first = of_folder(deeper[0], folder.name, slug, tree)
     candidates = [first]
@@ -83,10 +85,12 @@ def handed_in(folder: Path, slug: str) -> Submission:
         held = [entry for parent in deeper for entry in entries(parent, MOST_FILES)]
         deeper = [entry for entry, is_folder in held if is_folder and not entry.is_symlink()][:MOST_FILES]
         candidates += [of_folder(entry, folder.name, slug, tree) for entry in deeper]
-    there = [submission for submission in candidates if submission.path]
-    there.sort(key=lambda submission: submission.path is not None and is_zip(submission.path.name))
-    named_after = [submission for submission in there if submission.path and of_name(submission.path.name, [slug])]
-    return next(iter(named_after or there), first)
+
+    def rank(submission: Submission) -> tuple[bool, ...]:
+        is_lost, is_packed = _rank(submission)
+        return is_lost, submission.path is None or not of_name(submission.path.name, [slug]), is_packed
+
+    return min((submission for submission in candidates if submission.path), key=rank, default=first)
 
 
 def read(submission: Submission) -> Source:
@@ -274,14 +278,11 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
     if chosen and not work and not messages and not any(slug_of(entry.name, slugs) for entry, _ in held):
         yield of_folder(home, home.name, chosen, home)
     for slug, own_work in work.items():
-        plain = [(entry, is_folder) for entry, is_folder in own_work if is_folder or form(entry.name)]
-        lone = (
-            of_folder(plain[0][0], home.name, slug, home) if [is_folder for _, is_folder in plain] == [True] else None
-        )
-        if lone and (lone.path or plain == own_work):
-            yield lone
-        else:  # without the folder's work, a zip file beside it counts
-            yield _of_files(own_work, home.name, slug, home)
+        folders = [entry for entry, is_folder in own_work if is_folder]
+        candidates = [_of_files(own_work, home.name, slug, home)]
+        candidates += [of_folder(folders[0], home.name, slug, home)] if len(folders) == 1 else []
+        there = [candidate for candidate in candidates if candidate.path]
+        yield min(there, key=_rank) if there[1:] else (there or candidates)[-1]
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
@@ -354,7 +355,7 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """Return the submission among these entries: the only file that fits best; without it, `reason` lists them."""
     files = [entry for entry, is_folder in held if not is_folder]
-    chosen = _best(files, slug, lambda entry: read(Submission("", "", entry, tree)).text)
+    chosen = _best(files, slug, lambda entry: read(Submission("", slug, entry, tree)).text)
     if len(chosen) == 1:
         return Submission(_name(student), slug, chosen[0], tree)
     message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
@@ -362,7 +363,7 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
 
 
 def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -> list[Path]:
-    """Return the files that fit an assignment best; a zip file fits only without a module or notebook beside it."""
+    """Return the files that fit an assignment best; a zip file fits only without begun work beside it."""
     files = [entry for entry in held if form(entry.name)]
     candidates = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
     if len(candidates) == 1 or f"{slug}.ipynb" in {entry.name for entry in candidates}:
@@ -377,7 +378,9 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
     )
     chosen = next(filter(None, ([*filter(is_chosen, files)] for is_chosen in fits)), [])
     packed = [entry for entry in held if is_zip(entry.name)]
-    return chosen or [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
+    packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
+    is_in_zip = len(chosen) == 1 and _untouched(chosen[0], packed, text_of)
+    return packed if is_in_zip else chosen or packed
 
 
 def _listed(files: Iterable[Path]) -> str:
@@ -387,25 +390,35 @@ def _listed(files: Iterable[Path]) -> str:
     return ", ".join(seen)
 
 
-def _untouched(module: Path, others: Iterable[Path], text_of: Callable[[Path], bytes]) -> bool:
-    """Return whether a module is still the stub while another of these files defines functions."""
+def _untouched(file: Path, others: Iterable[Path], text_of: Callable[[Path], bytes]) -> bool:
+    """Return whether no function of a file is begun, and one of these other files is."""
     try:
-        texts = [text_of(entry) for entry in (module, *others)]
+        return not is_begun(text_of(file)) and any(is_begun(text_of(entry)) for entry in others)
     except CannotRead:
         return False
-    functions = len(re.findall(rb"^def ", texts[0], re.MULTILINE))
-    is_begun = any(re.search(rb'(?:^|"|\\n)def ', text, re.MULTILINE) for text in texts[1:])
-    return 0 < functions == texts[0].count(b"raise NotImplementedError") and is_begun
+
+
+def is_begun(text: bytes) -> bool:
+    """Return whether a module or notebook has a function that is not as in the stub."""
+    return len(UNWRITTEN.findall(text)) < len(DEFINED.findall(text))
+
+
+def _rank(submission: Submission) -> tuple[bool, bool]:
+    """Return a key, smallest for the best file of a student: begun ones first, zip files last."""
+    source = source_of(submission)
+    is_lost = isinstance(source, CannotRead) or not is_begun(source.text)
+    return is_lost, submission.path is not None and is_zip(submission.path.name)
 
 
 def _modules_first(work: list[Submission]) -> list[Submission]:
-    """Return the submissions without the notebooks for which the same student also handed in a module."""
+    """Return the submissions without a student's notebooks beside a module, or stub beside a notebook."""
 
     def is_module(submission: Submission) -> bool:
         return submission.path is not None and form(submission.path.name) == ".py"
 
-    modules = {each.key for each in work if is_module(each)}
-    return [each for each in work if each.key not in modules or each.path is None or is_module(each)]
+    notebooks = {each.key for each in work if each.path and not is_module(each)}
+    modules = {each.key for each in work if is_module(each) and not (each.key in notebooks and _rank(each)[0])}
+    return [each for each in work if each.path is None or is_module(each) == (each.key in modules)]
 
 
 def _told_apart(work: list[Submission]) -> list[Submission]:

@@ -9,7 +9,7 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.grading.roster import Directory, Person
-from tam570_grader.grading.submissions import GIVEN, folder_of, of_folder, of_name
+from tam570_grader.grading.submissions import GIVEN, folder_of, is_begun, of_folder, of_name
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, is_zip, listed
@@ -205,14 +205,17 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
         winner = best.get((row.student, row.target), row)
         if winner is row:
             return row
+        if _rank(row)[0] < _rank(winner)[0]:
+            return _left(row, RELEASED)
         return _left(row, OLDER if row.handed.order < winner.handed.order else OTHER)
 
     return sorted(map(placed, rows), key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _rank(row: Taken) -> tuple[bool, tuple[object, ...], bool]:
-    """Return a key, largest for the best file: named after its assignment, then newest, then with the exact name."""
-    return of_name(row.handed.title, [row.slug]) is not None, row.handed.order, row.handed.title == row.target
+def _rank(row: Taken) -> tuple[bool, bool, tuple[object, ...], bool]:
+    """Return a key, largest for the best file: begun, named after its assignment, newest, with the exact name."""
+    begun, title = is_begun(row.handed.file.data), row.handed.title
+    return begun, of_name(title, [row.slug]) is not None, row.handed.order, title == row.target
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:

@@ -4,7 +4,7 @@ import shutil
 import unicodedata
 
 import pytest
-from classes import HW08, hand_in
+from classes import HW08, hand_in, packed
 from parameters import first
 
 from tam570_grader.grading.roster import Directory, people, students
@@ -75,6 +75,25 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
     assert chosen() == (f"{HW08}.py", "hw08 (1).py of ada")
     stub.write_text("def skew(v):\n    raise NotImplementedError\n")
     assert chosen() == ("hw08 (1).py", f"{HW08}.py of ada")
+
+
+@pytest.mark.parametrize(
+    ("idle", "begun"),
+    [
+        (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}/{HW08}_handin.zip"),
+        (f"ada/{HW08}/{HW08}.ipynb", f"ada/{HW08}/{HW08}_handin.zip"),
+        (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}.zip"),
+        (f"ada/{HW08}.py", f"ada/{HW08}/work.py"),
+        ("hw08_ada.py", "hw08_ada.ipynb"),
+    ],
+)
+def test_work_counts_before_a_file_that_is_not_begun(tmp_path, idle, begun):
+    for name, text in ((idle, "import hw08"), (begun, "def skew(v): return v\n")):
+        path = tmp_path / "submitted" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(packed({f"{HW08}.py": text}) if name.endswith("zip") else text.encode())
+    (submission,) = submissions([tmp_path / "submitted"], SLUGS)
+    assert submission.path == tmp_path / "submitted" / begun
 
 
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):

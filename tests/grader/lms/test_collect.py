@@ -57,6 +57,12 @@ def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
     assert "3 students, 1 late" in said
 
 
+def test_a_stub_beside_the_zip_file_of_the_work_does_not_count(download, desk):
+    stub, work = "def skew(v):\n    raise NotImplementedError\n", "def skew(v):\n    return 0\n"
+    files = {"adamsann_17_500_hw08.zip": packed({"hw08.py": work}), "adamsann_17_600_hw08_axis_angle.py": stub}
+    assert download("canvas", files, ROSTER)[0] == 0 and desk.collected == {"aadams": work}
+
+
 @pytest.mark.parametrize("times", first(1, [1, 80_000]))
 def test_gradescope_by_its_metadata_groups_too(desk, download, times):
     """Gradescope writes all outputs into the metadata; `collect` reads a large file without building a tree of it."""

@@ -34,6 +34,7 @@ CAME = {
 }
 STUB = "def rotate(r, axis, angle):\n    raise NotImplementedError\n"
 NOTEBOOK = '{"cells": [{"cell_type": "code", "source": ["def rotate(r, axis, angle):\\n"]}], "nbformat": 4}'
+BEGUN = "def rotate(r, axis, angle):\n    return r\n"
 
 
 @pytest.fixture
@@ -168,7 +169,7 @@ def test_what_is_collected_again_replaces_its_row_and_no_other(desk, download):
 
 @pytest.mark.parametrize(
     ("module", "day", "code", "late"),
-    [("x = 1\n", 12, 1, ["ben"]), ("x = 1\n", 16, 0, ["ann", "ben"]), (STUB, 12, 0, ["ann", "ben"])],
+    [(BEGUN, 12, 1, ["ben"]), (BEGUN, 16, 0, ["ann", "ben"]), (STUB, 12, 0, ["ann", "ben"])],
 )
 def test_the_time_of_what_is_graded_counts_and_a_newer_notebook_is_named(desk, download, module, day, code, late):
     """A late notebook beside a module costs days only if the notebook is graded."""
