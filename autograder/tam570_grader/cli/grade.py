@@ -48,7 +48,7 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
     """Add the options of `grade`."""
     parser.set_defaults(command=_grade)
     parser.description = (
-        "Grade modules, notebooks, zip files, their folders, or a tree of submissions <student>/<assignment>/."
+        "Grade modules, notebooks, zip files, folders, or a tree of submissions <student>/<assignment>/."
     )
     parser.epilog = (
         "The exit code is 0 when grading worked, whatever the scores; 1 when the grader failed; 2 on bad usage."
@@ -259,7 +259,7 @@ def _submissions(arguments: argparse.Namespace, slugs: list[str]) -> list[Submis
     chosen = [submission for submission in everything if submission.slug in only]
     if not chosen:
         raise UsageError(f"there is no submission of {', '.join(only)} at these paths")
-    everyone = chosen + (not_handed_in(arguments.roster, chosen) if arguments.roster else [])
+    everyone = chosen + (not_handed_in(arguments.roster, chosen, arguments.paths) if arguments.roster else [])
     k, n = arguments.shard or (1, 1)
     return [submission for submission in everyone if _shard_of(submission.student, n) == k]
 

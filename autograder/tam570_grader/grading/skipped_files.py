@@ -33,7 +33,7 @@ def skipped_files(
                 yield from _beside(entry, graded, slugs)
             elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
-        yield from _not_collected(folder.absolute().parent / TABLE, {submission.key for submission in work})
+        yield from _not_collected(folder, {submission.key for submission in work})
     for submission in work:  # other files named after the assignment, with the same ending as the graded file
         path, student = submission.path, submission.student
         if path is None or not form(path.name) or not submission.tree.is_dir():
@@ -45,10 +45,16 @@ def skipped_files(
                 yield f"{file} of {student} is not graded: {counts} is; remove the one that should not count"
 
 
-def _not_collected(path: Path, graded: set[tuple[str, str]]) -> Iterator[str]:
+def _collected(folder: Path) -> list[dict[str, str]]:
+    """Return the rows of the table that `collect` wrote beside a folder, without files that need no attention."""
+    path = folder.absolute().parent / TABLE
+    return [row for row in listed(path) if row["note"] not in MINOR] if path.is_file() else []
+
+
+def _not_collected(folder: Path, graded: set[tuple[str, str]]) -> Iterator[str]:
     """Yield a sentence for each file that `collect` could not place, if its student has no other work to grade."""
-    for row in listed(path) if path.is_file() else ():
-        if not row["file"] and row["note"] not in MINOR and (row["student"], row["assignment"]) not in graded:
+    for row in _collected(folder):
+        if not row["file"] and (row["student"], row["assignment"]) not in graded:
             yield f"{printable(row['from'])} of {printable(row['student'])} is not collected: {row['note']}"
 
 
@@ -86,10 +92,21 @@ def _shown(entry: Path) -> str:
     return printable("/".join(entry.parts[-2:]))
 
 
-def not_handed_in(path: Path, work: Sequence[Submission]) -> list[Submission]:
-    """Return a submission without a file for each student on the roster and assignment that only others handed in."""
+def not_handed_in(path: Path, work: Sequence[Submission], folders: Iterable[Path]) -> list[Submission]:
+    """Return a submission without a file for each student on the roster and assignment that only others handed in.
+
+    There is none if `collect` lists a file that may be the student's: it could not be placed, or has the same name.
+    """
     here = {submission.key for submission in work}
     students = roster.students(path, {submission.student for submission in work})
     slugs = sorted({submission.slug for submission in work})
     message = "no module or notebook was collected"
-    return [Submission(*pair, None, Path(), message) for pair in product(students, slugs) if pair not in here]
+    names, rows = roster.names(path), [row for folder in folders for row in _collected(folder)]
+    here |= {(row["student"], row["assignment"]) for row in rows if not row["file"]}
+    strange = {(roster.letters(row["name"]), row["assignment"]) for row in rows if row["student"] not in students}
+    absent = [pair for pair in product(students, slugs) if pair not in here]
+    return [
+        Submission(student, slug, None, Path(), message)
+        for student, slug in absent
+        if student not in names or (roster.letters(names[student]), slug) not in strange
+    ]

@@ -171,7 +171,7 @@ def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[i
         f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in unmatched
     ]
     export.troubles += [
-        f"{person.name or person.ids[0]} ({person.ids[0]}) has no score in {slug}"
+        f"{person.name or person.ids[0]} ({person.ids[0]}) has no score in {slug}: does collected.csv say why?"
         for person in everyone.people
         for slug in sorted({slug for _, slug in scores})
         if not joined.get((id(person), slug))

@@ -1,5 +1,6 @@
 """Sort a learning management system's download into `submitted/<student>/<assignment>/` (`tam570-grader collect`)."""
 
+import re
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -22,7 +23,8 @@ OTHER = "another file counts: see which one, and name that after the assignment"
 ELSEWHERE = "it is named after {other}, and this download is of {slug}: ask which one it is"
 TWO = "another in the download goes to the same student: who is who on the roster?"
 TAKEN = "its folder would be that of another student on the roster: give a roster that knows it"
-STRANGER = "is on no row of the roster"
+PASTED = "the student typed this text in the browser: read it, or ask for a file"
+STRANGER = "is on no row of the roster: add a row and collect again, or rename the folder"
 MOST_WARNINGS = 10  # warnings per student
 SUBMITTED = (
     "a submission has been submitted.",
@@ -30,6 +32,7 @@ SUBMITTED = (
     "submission updated.",
     "a file has been uploaded.",
 )
+TYPED = re.compile(r"onlinetext\.html|.+_text\.html")  # Moodle's and Canvas's files of typed text
 TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's log
 
 
@@ -135,6 +138,8 @@ def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_g
     other = of_name(title, slugs)
     if handed.file.refused:
         return "", handed.file.refused
+    if TYPED.fullmatch(title):
+        return "", PASTED
     if not (ending := form(title)):
         if why_not or not is_beside(title):
             return "", NOT_WORK

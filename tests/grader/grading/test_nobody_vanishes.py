@@ -8,7 +8,7 @@ from classes import HW08, hand_in, packed
 from parameters import first
 
 from tam570_grader.grading.roster import Directory, people, students
-from tam570_grader.grading.skipped_files import skipped_files
+from tam570_grader.grading.skipped_files import not_handed_in, skipped_files
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.results.collected import COLUMNS, TABLE
 from tam570_grader.results.tables import write_table
@@ -62,6 +62,15 @@ def test_what_was_not_collected_is_warned_of_for_who_has_nothing_else(class_of):
     write_table(tree.parent / TABLE, [COLUMNS, *rows])
     (warning,) = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
     assert warning == "bob.zip of bob is not collected: damaged"
+
+
+def test_who_may_have_handed_in_what_was_not_placed_gets_no_zero(class_of):
+    tree = class_of([f"ada/{HW08}/{HW08}.py", f"99/{HW08}/{HW08}.py"])
+    rows = [("bob", "Bo B", HW08, "", "", "", "x.zip", "damaged"), ("99", "Cy C", HW08, "hw08.py", "", "", "y.py", "")]
+    write_table(tree.parent / TABLE, [COLUMNS, *rows])
+    roster = tree.parent / "roster.csv"
+    roster.write_text("login,name\nada,Ada A\nbob,Bo B\ncho,Cy C\ndan,Da D\n")
+    assert [item.student for item in not_handed_in(roster, submissions([tree], SLUGS), [tree])] == ["dan"]
 
 
 def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_of):

@@ -106,6 +106,7 @@ SPOILT = [
         ("chency_19_9_hw08.docx", "x", "neither a module"),
         ("chency_19_9_hw08.py", "", "it is empty"),
         ("chency_LATE_19_link.html", "x", "of cchen is not collected: neither a module"),
+        ("chency_19_text.html", "<p>def skew</p>", "cchen is not collected: the student typed this text"),
         ("what is this.py", "x", "is not named as canvas names submissions"),
         ("drop_77_9_hw08.py", "x", "77 (drop) is on no row of the roster"),
         ("chency_19_9_hw08.py", "x" * (LARGEST + 1), "larger than 10 MiB"),
