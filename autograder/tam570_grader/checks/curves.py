@@ -37,38 +37,25 @@ def curve(  # noqa: PLR0913  the compared numbers, and their description
         return None
     rows = signed.reshape(len(t), -1)
     sizes = np.abs(rows).max(axis=1)
-    motion = _one_motion(t, int(np.argmax(sizes)))
+    motions = np.split(np.arange(len(t)), np.flatnonzero(np.diff(t) <= 0) + 1)  # in each of them time increases
+    motion = next(indices for indices in motions if np.argmax(sizes) in indices)
     t, rows, sizes = t[motion], rows[motion], sizes[motion]
     if len(t) < 3:
         return None
     is_constant = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
     slots = _slots(t, sizes)
-    values = _steps(rows[:, 0], slots) if is_constant else _levels(sizes, slots, tolerance)
+    if is_constant:
+        drift = rows[:, 0].clip(-LARGEST, LARGEST)
+        step = float(f"{np.abs(drift).max():.2g}") / STEPS or 1.0
+        values = [None if row is None else round(drift[row] / step) * step for row in slots]
+    else:
+        decades = np.log10(np.maximum(sizes, 1e-300) / tolerance).clip(FLOOR, CEILING)  # negative below the tolerance
+        values = [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in slots]
     scaled = "linear" if is_constant else "log"
     return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
-
-
-def _one_motion(t: Array, row: int) -> slice:
-    """Return the slice of rows around this one in which time increases."""
-    breaks = np.flatnonzero(np.diff(t) <= 0) + 1
-    ends = np.concatenate([[0], breaks, [len(t)]])
-    index = int(np.searchsorted(ends, row, side="right"))
-    return slice(int(ends[index - 1]), int(ends[index]))
 
 
 def _slots(t: Array, sizes: Array) -> list[int | None]:
     """Return the row with the largest error in each of SLOTS equal parts of the duration; None for an empty part."""
     slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
     return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None for k in range(SLOTS)]
-
-
-def _levels(sizes: Array, slots: list[int | None], tolerance: float) -> list[float | None]:
-    """Return the errors of these rows in decades above the tolerance; negative if they are below it."""
-    decades = np.log10(np.maximum(sizes, 1e-300) / tolerance).clip(FLOOR, CEILING)
-    return [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in slots]
-
-
-def _steps(drift: Array, slots: list[int | None]) -> list[float | None]:
-    drift = drift.clip(-LARGEST, LARGEST)
-    step = float(f"{np.abs(drift).max():.2g}") / STEPS or 1.0
-    return [None if row is None else round(drift[row] / step) * step for row in slots]

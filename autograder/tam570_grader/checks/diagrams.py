@@ -218,13 +218,13 @@ def _best_match(body: FreeBody, arrows: Sequence[Arrow], near: float) -> Match:
 
 def _match(forces: Sequence[Force], arrows: Sequence[Arrow], near: float) -> Match:
     ways = [[*_ways(force, arrows, near)] for force in forces]
-    best = max(itertools.product(*ways), key=partial(_worth, forces))
+    best = max(itertools.product(*ways), key=_worth)
     used = set(itertools.chain.from_iterable(filter(None, best)))
     missing = [force for force, way in zip(forces, best, strict=True) if way is None]
     return missing, [arrow for number, arrow in enumerate(arrows) if number not in used]
 
 
-def _worth(forces: Sequence[Force], ways: Sequence[tuple[int, ...] | None]) -> tuple[int, int]:
+def _worth(ways: Sequence[tuple[int, ...] | None]) -> tuple[int, int]:
     """Return how many forces are drawn, and by how many arrows; (-1, 0) if an arrow draws two."""
     used = [*itertools.chain.from_iterable(filter(None, ways))]
     if len(set(used)) < len(used):

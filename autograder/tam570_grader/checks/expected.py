@@ -67,16 +67,11 @@ def shared(function: str, name: str, inputs: bytes, compute: Callable[[], Number
         value = compute()
         if time.thread_time() - began > EXPENSIVE and _is_data(value):
             _expensive.add(function)
-            _keep(path, value)
+            with contextlib.suppress(OSError):  # if the disk is full, the other processes compute it themselves
+                draft = path.with_suffix(f".{os.getpid()}")
+                draft.write_bytes(packed({"parts": [*value]} if isinstance(value, tuple) else value))
+                draft.rename(path)
     return value
-
-
-def _keep(path: Path, value: object) -> None:
-    """Store a value for the other processes; if the disk is full, they compute it themselves."""
-    with contextlib.suppress(OSError):
-        draft = path.with_suffix(f".{os.getpid()}")
-        draft.write_bytes(packed({"parts": [*value]} if isinstance(value, tuple) else value))
-        draft.rename(path)
 
 
 def _name(reference: Function) -> str:

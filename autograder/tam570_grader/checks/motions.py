@@ -75,12 +75,12 @@ class ComparedMotion:
         actual, tolerance = self.actual if quantity is None else quantity, min(ALIKE, BETTER * self.error)
         return np.shape(rows) == actual.shape and bool(np.max(np.abs(rows - actual) / self.scales) <= tolerance)
 
-    def repeated_at(self, t: Array, *start: Numbers) -> Array | None:
-        """Return the student's rows at other times, or from another start; None if the call fails."""
+    def repeated_at(self, t: Array, *start: Numbers) -> Array:
+        """Return the student's rows at other times, or from another start; NaN if the call fails."""
         try:
             return flat(self.function.aside(self.case.replace(t, *start)))
         except (Failed, NotWritten):
-            return None
+            return np.full((len(t), len(self.scales)), np.nan)
 
     def truly(self, t: Array, *start: Numbers) -> Array:
         """Return the reference's rows at other times, or from another start."""
@@ -102,7 +102,7 @@ def diagnosed(
     """
     with np.errstate(all="ignore"):
         moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # rest is the same at any times
-        message = next((sentence for is_so, sentence in _tells(motion, motions, turns) if moves and is_so()), "")
+        message = next((sentence for is_so, sentence in _rules(motion, motions, turns) if moves and is_so()), "")
         if message or not (motion.error <= near_miss or obeys(motion)):
             return message
         share = _explained(motion)
@@ -117,13 +117,13 @@ NEARLY_FOLLOWS = "Each row nearly follows from the row before: is a term wrong, 
 Rule = tuple[Callable[[], bool], str]
 
 
-def _tells(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Sequence[int]) -> list[Rule]:
+def _rules(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Sequence[int]) -> list[Rule]:
     """Return pairs (test, sentence) in the order of the tests: cheap and certain ones first."""
     inner, expected = motion.actual[1:-1], motion.expected
     return [
-        (lambda: _still(motion), "Every row is the start"),
+        (lambda: _repeats(motion, 0), "Every row is the start"),
         (lambda: not motion.actual.any(), "Every number is zero"),
-        (lambda: _is_last(motion), ALL_THE_LAST),
+        (lambda: _repeats(motion, -1), ALL_THE_LAST),
         (lambda: len(inner) > 0 and motion.near(expected[2:], inner), ONE_ROW_AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), OTHER_START),
@@ -158,12 +158,9 @@ SAMPLED = "With more times in between the same rows are accurate: take smaller s
 OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # sentences about coarse steps, to which wrong rates look similar
 
 
-def _still(motion: ComparedMotion) -> bool:
-    return bool((motion.actual == motion.actual[0]).all()) and bool(motion.errors[0].max() <= ALIKE)
-
-
-def _is_last(motion: ComparedMotion) -> bool:
-    return bool((motion.actual == motion.actual[-1]).all()) and bool(motion.errors[-1].max() <= ALIKE)
+def _repeats(motion: ComparedMotion, row: int) -> bool:
+    """Return whether every row is this row of the right motion."""
+    return bool((motion.actual == motion.actual[row]).all()) and bool(motion.errors[row].max() <= ALIKE)
 
 
 def _turned(motion: ComparedMotion, turns: Sequence[int]) -> bool:
@@ -259,8 +256,6 @@ def _joined(motion: ComparedMotion) -> bool:
     if row == 0 or gathers or len(motion.t) < 3 or not DENSE < motion.error < 1:
         return False
     repeated = motion.repeated_at(motion.t[[0, row]])
-    if repeated is None:
-        return False
     return bool(np.max(np.abs(repeated[-1] - motion.expected[row]) / motion.scales) <= BETTER * motion.error)
 
 
@@ -269,8 +264,6 @@ def _denser(motion: ComparedMotion) -> bool:
     t, between = motion.t, max(2, DENSER // len(motion.t))
     fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
     repeated = motion.repeated_at(fine)
-    if repeated is None:
-        return False
     return bool(np.max(np.abs(repeated[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
 
 
@@ -413,8 +406,6 @@ def sets_off(motion: ComparedMotion) -> bool:
 def _leads_on(motion: ComparedMotion, row: int) -> bool:
     """Return whether the student's motion, started at one of its rows, makes the same step as before."""
     led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
-    if led is None:
-        return False
     off = np.diff(led, axis=0)[0] - (motion.actual[row + 1] - motion.actual[row])
     return bool(np.max(np.abs(off) / motion.scales) <= ALIKE)
 

@@ -165,14 +165,22 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
         return motions
     width = motions[0].expected.shape[1]
     turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
-    # the worst first; if no share is left, the longest first, whose curve shows most
-    order, near_miss = partial(_telling, tolerance), NEAR_MISS * tolerance if near_miss_credit else 0.0
-    for motion in sorted(motions, key=order, reverse=True):
+    near_miss = NEAR_MISS * tolerance if near_miss_credit else 0.0
+
+    def worst_last(motion: ComparedMotion) -> tuple[bool, int, float]:
+        """Sort by the error or, if it leaves no share, by the length: the curve of the longest shows most."""
+        hopeless = motion.error > NEAR_MISS * tolerance
+        return hopeless, len(motion.actual) if hopeless else 0, motion.error
+
+    for motion in sorted(motions, key=worst_last, reverse=True):
         if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
             continue
         get_context().set_call(function.name, motion.case)
-        if not chaotic:
-            _note(motion, columns, tolerance)
+        for column in columns if not chaotic else ():
+            where = np.arange(width)[column.where].tolist()
+            scale = float(np.max(motion.scales[where]))
+            limits = {"quantity": column.quantity, "scale": scale, "tolerance": tolerance}
+            get_context().add_example(function, motion.case, None, where, motion.expected[:, where], **limits)
         # the column with the largest error, in its own unit
         column = max(columns, key=lambda column: np.max(motion.errors[:, column.where], initial=0.0))
         size = float(np.max(motion.scales[column.where]))
@@ -279,20 +287,6 @@ def _scaled_rows(batch: Batch, columns: Sequence[Column]) -> tuple[Sequence[Colu
             scales[column.where] = column.size(case, expected)
         scaled_rows.append((expected, scales))
     return columns, scaled_rows
-
-
-def _note(motion: ComparedMotion, columns: Sequence[Column], tolerance: float) -> None:
-    """Add what each column is compared with to the examples that students have."""
-    for column in columns:
-        where = np.arange(motion.expected.shape[1])[column.where].tolist()
-        scale = float(np.max(motion.scales[where]))
-        limits = {"quantity": column.quantity, "scale": scale, "tolerance": tolerance}
-        get_context().add_example(motion.function, motion.case, None, where, motion.expected[:, where], **limits)
-
-
-def _telling(tolerance: float, motion: ComparedMotion) -> tuple[bool, int, float]:
-    hopeless = motion.error > NEAR_MISS * tolerance
-    return hopeless, len(motion.actual) if hopeless else 0, motion.error
 
 
 def loose_tolerance_share(motion: ComparedMotion, tolerance: float, size: float, error: float) -> float:

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
 from tam570.values import Numbers
-from tam570_grader.checks.case import Call
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.motions import flat
 from tam570_grader.diagnosis.mistakes import OF_MOTIONS, is_motion, same, tolerance_of
 
@@ -86,9 +86,7 @@ def beginning(call: ComparedCall) -> Beginning | None:
     count = max(FEW, len(call.case.args[0]) // SHARE) if isinstance(call, Rows) else 0
     if not count or count > len(call.case.args[0]) // 2:
         return None
-    firsts = [[part[:count] for part in parts(answer)] for answer in (call.result, call.expected)]
-    result, expected = (tuple(first) if len(first) > 1 else first[0] for first in firsts)
-    return Beginning(call.name, call.case.replace(call.case.args[0][:count]), result, expected)
+    return Beginning(*_first_rows(call, call.expected, count))
 
 
 def compared_call(call: Call, expected: Numbers, size: float) -> ComparedCall:
@@ -98,9 +96,14 @@ def compared_call(call: Call, expected: Numbers, size: float) -> ComparedCall:
     t, off = call.case.args[0], _off(call.result, expected).max(axis=1)
     clear = np.flatnonzero(off > CLEARLY)
     count = clear[0] + 2 if len(clear) else FEW if off.max() <= OF_MOTIONS else len(t)
+    return Rows(*_first_rows(call, expected, count))
+
+
+def _first_rows(call: Call, expected: Numbers, count: int) -> tuple[str, Case, Numbers, Numbers]:
+    """Return the name, case, result and right answer of a motion, cut to its first rows."""
     firsts = [[part[:count] for part in parts(answer)] for answer in (call.result, expected)]
     result, expected = (tuple(first) if len(first) > 1 else first[0] for first in firsts)
-    return Rows(call.name, call.case.replace(t[:count]), result, expected)
+    return call.name, call.case.replace(call.case.args[0][:count]), result, expected
 
 
 def _shapes(answer: Numbers) -> list[tuple[int, ...]]:

@@ -22,7 +22,7 @@ from collections import Counter
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from types import CodeType, ModuleType
+from types import ModuleType
 from typing import TypeVar
 
 import numpy as np
@@ -249,11 +249,7 @@ class NoValue:
     """Value in place of an answer: a wrong formula may have none for inputs for which the right one has a value."""
 
 
-def _bytes(answer: Numbers) -> int:
-    return OF_AN_ANSWER + sum(int(np.size(part)) * 8 for part in parts(answer))
-
-
-_answers = LruCache[Numbers](MOST_ANSWERS, _bytes)
+_answers = LruCache[Numbers](MOST_ANSWERS, lambda answer: OF_AN_ANSWER + 8 * sum(map(np.size, parts(answer))))
 _changes = LruCache[bool](MOST_CHANGES)
 
 
@@ -305,13 +301,11 @@ def solution_with(solution: str, text: str) -> ModuleType:
     """Return the solution as a new module, in which the definitions of the mistake replace its own."""
     module = sys.modules["_mistaken"] = ModuleType("_mistaken")  # a dataclass looks for its module there
     for part in (solution, text):
-        exec(_code(part), vars(module))
+        exec(_code(part, "<mistake>"), vars(module))
     return module
 
 
-@functools.lru_cache(maxsize=256)
-def _code(text: str) -> CodeType:
-    return compile_counted(text, "<mistake>")
+_code = functools.lru_cache(maxsize=256)(compile_counted)
 
 
 def same(result: Numbers, wrong: Numbers, tolerance: float, size: float = 1.0) -> bool:
@@ -322,17 +316,14 @@ def same(result: Numbers, wrong: Numbers, tolerance: float, size: float = 1.0) -
     if any(np.iscomplexobj(part) for part in parts(wrong)):
         return False  # a root of something negative; results are real
     if result is None or result is NoValue or wrong is NoValue:
-        return (result is None or result is NoValue) and (wrong is NoValue or not _finite(wrong))
+        is_finite = wrong is not NoValue and all(np.isfinite(np.asarray(part, float)).all() for part in parts(wrong))
+        return (result is None or result is NoValue) and not is_finite
     if isinstance(wrong, tuple) and not isinstance(result, tuple):
         wrong = np.asarray(wrong, float)  # the numbers of an array may be returned one by one
     pairs = list(zip(parts(result), parts(wrong), strict=False))
     return len(parts(result)) == len(parts(wrong)) and all(
         _close(first, other, tolerance, CANCELLED * size) for first, other in pairs
     )
-
-
-def _finite(result: Numbers) -> bool:
-    return all(bool(np.all(np.isfinite(np.asarray(part, float)))) for part in parts(result))
 
 
 def largest(result: Numbers) -> float:

@@ -96,8 +96,13 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
     known_for = {str(call.case.kwargs) for call in wrong}
     module = ModuleType("_varied")  # a new one, into which mutants are put
     exec(_code(solution), vars(module))
-    vary = len(known_for) >= FEWEST or not wrong[0].case.kwargs
-    other_result = partial(_other_result, solution, name, getattr(module, name), wrong[0], vary=vary)
+    vary, right = len(known_for) >= FEWEST or not wrong[0].case.kwargs, getattr(module, name)
+
+    def other_result(calls: Sequence[ComparedCall]) -> Cause | None:
+        """Return the cause for the first wrong result that explains these calls."""
+        results = other_results(name, right, wrong[0], vary=vary)
+        return _transformed(solution, name, next(_explaining(results, calls), None), source="result")
+
     cause = (
         other_result(its_calls)
         or _other_symbol(solution, name, its_calls)
@@ -113,14 +118,6 @@ def _general(solution: str, calls: Sequence[Call], others: Sequence[str], passed
         change = change or next(_explaining(other_forms(name, reference, its_calls[0]), its_calls), None)
         cause = _transformed(solution, name, change) or _single_entry(solution, name, its_calls)
     return cause and replace(cause, calls=tuple(calls))
-
-
-def _other_result(  # noqa: PLR0913  as `other_results`
-    solution: str, name: str, reference: Function, example: ComparedCall, calls: Sequence[ComparedCall], *, vary: bool
-) -> Cause | None:
-    """Return the cause for the first wrong result that explains all calls."""
-    results = other_results(name, reference, example, vary=vary)
-    return _transformed(solution, name, next(_explaining(results, calls), None), source="result")
 
 
 def _other_argument(solution: str, module: ModuleType, name: str, its_calls: Sequence[ComparedCall]) -> Cause | None:
