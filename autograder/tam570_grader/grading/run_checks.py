@@ -250,9 +250,11 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
 
 def _own_source(run: _Run, failed: Failed) -> Cause | None:
     """Return a cause that names the student's wrong function behind this failure, as the check or a solution shows."""
-    calls, assignment = run.student.calls, run.assignment
-    if source := failed.failure.follows_from or _repeats_rule(run, failed.failure):
-        return Cause(failed.failure.function, "", "own", follows_from=source)
+    calls, assignment, failure = run.student.calls, run.assignment, failed.failure
+    before = [(result.failure.function, result.failure.hint) for result in run.results.values() if result.failure]
+    repeats_rule = failure.hint in OF_ROWS and (failure.function, failure.hint) in before
+    if source := failure.follows_from or (failure.function if repeats_rule else ""):
+        return Cause(failure.function, "", "own", follows_from=source)
     if len({call.name for call in calls}) != 1 or any(_is_drawn(assignment, call) for call in calls):
         return None
     name = calls[0].name
@@ -260,13 +262,6 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     allowed = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
     source = next((other for other in allowed if _is_consequence(run, other, calls)), "")
     return Cause(name, "", "own", follows_from=source) if source else None
-
-
-def _repeats_rule(run: _Run, failure: Failure) -> str:
-    """Return the function if an earlier check failed with the same hint on the rows of its motions, else ""."""
-    before = [result.failure for result in run.results.values() if result.failure]
-    is_repeated = any((other.function, other.hint) == (failure.function, failure.hint) for other in before)
-    return failure.function if is_repeated and failure.hint in OF_ROWS else ""
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
