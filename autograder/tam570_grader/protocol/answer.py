@@ -2,7 +2,7 @@
 
 import builtins
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from types import ModuleType
 
 import numpy as np
@@ -126,10 +126,6 @@ def _contents(args: list[Numbers], kwargs: Json) -> list[Numbers]:
     return [argument.tobytes() if isinstance(argument, np.ndarray) else repr(argument) for argument in arguments]
 
 
-def _value(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
-    return portable(function(*args, **kwargs))
-
-
 def _formula(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
     """Return the values at the request's points of the SymPy expression that the function returns.
 
@@ -155,8 +151,10 @@ def evaluate_a_formula() -> None:
     values_at(expression, [{"x": 0.5, "y": 2.0}])
 
 
-def _drawing(function: Function, args: list[Numbers], kwargs: Json, request: Json) -> Numbers:
-    return picture(function, args, kwargs, looked_at=not request.get("moved"))
-
-
-MODES = {"value": _value, "formula": _formula, "drawing": _drawing}
+MODES: dict[str, Callable[[Function, list[Numbers], Json, Json], Numbers]] = {
+    "value": lambda function, args, kwargs, request: portable(function(*args, **kwargs)),
+    "formula": _formula,
+    "drawing": lambda function, args, kwargs, request: picture(
+        function, args, kwargs, looked_at=not request.get("moved")
+    ),
+}

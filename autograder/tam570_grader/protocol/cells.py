@@ -3,7 +3,6 @@
 import io
 import json
 import tokenize
-from collections.abc import Iterator
 from typing import Any
 
 from tam570.notebooks import text_of
@@ -95,13 +94,8 @@ def _bundle(data: object) -> dict[str, str]:
 
 
 def _text(value: object) -> str:
-    return "".join(_strings(value))
-
-
-def _strings(value: object) -> Iterator[str]:
-    for text in value if isinstance(value, list) else [value]:
-        if isinstance(text, str):
-            yield text.encode("utf-8", "replace").decode()  # replaces lone surrogates
+    texts = [text for text in (value if isinstance(value, list) else [value]) if isinstance(text, str)]
+    return "".join(texts).encode("utf-8", "replace").decode()  # replaces lone surrogates
 
 
 def _cut(text: str, most: int) -> str:

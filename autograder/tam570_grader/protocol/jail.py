@@ -98,16 +98,19 @@ def confine(limits: Limits, channel: int, folder: str) -> None:
     _only(channel)
     os.setsid()  # otherwise a signal to its process group would reach the zygote
     if limits.namespaces:
-        _own_files(limits)
-    else:
-        os.chdir(folder)
+        scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
+        _must(LIBC.mount(b"scratch", folder.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {folder}")
+        for name in limits.hidden:
+            _hide(name)
+    os.chdir(folder)
     _limit(limits)
     if limits.user is not None:
         os.setgroups([])
         os.setresgid(limits.user, limits.user, limits.user)
         os.setresuid(limits.user, limits.user, limits.user)
     if hasattr(LIBC, "prctl"):
-        _no_capabilities()
+        header, none = _Header(CAPABILITY_VERSION, 0), (ctypes.c_uint32 * 6)()
+        _must(LIBC.capset(ctypes.byref(header), ctypes.byref(none)), "capset")
         LIBC.prctl(NO_NEW_PRIVILEGES, 1, 0, 0, 0)
         LIBC.prctl(DIE_WITH_PARENT, signal.SIGKILL, 0, 0, 0)
         hidden_from_debuggers()
@@ -188,15 +191,6 @@ def _cpu_seconds(pid: int, clock: int = EXACT) -> float:
         return 0.0
 
 
-def _own_files(limits: Limits) -> None:
-    """Mount and enter a new scratch folder, and hide the modules that are off limits."""
-    scratch = f"size={limits.file_size},nr_inodes=1000,mode=1777".encode()
-    _must(LIBC.mount(b"scratch", SCRATCH.encode(), b"tmpfs", NO_SUID | NO_DEVICES, scratch), f"mount {SCRATCH}")
-    for name in limits.hidden:
-        _hide(name)
-    os.chdir(SCRATCH)
-
-
 def _protect(folder: str) -> None:
     """Make each mount in a folder read-only: submissions could exchange data by the times of the system's devices."""
     for path in (os.path.join(folder, name) for name in os.listdir(folder)):
@@ -265,10 +259,6 @@ def address_space() -> int:
 
 class _Header(ctypes.Structure):
     _fields_ = [("version", ctypes.c_uint32), ("pid", ctypes.c_int)]
-
-
-def _no_capabilities() -> None:
-    _must(LIBC.capset(ctypes.byref(_Header(CAPABILITY_VERSION, 0)), ctypes.byref((ctypes.c_uint32 * 6)())), "capset")
 
 
 def _must(result: int, what: str) -> None:

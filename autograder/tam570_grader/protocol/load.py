@@ -21,9 +21,16 @@ def compiled(source: bytes, name: str, *, notebook: bool) -> tuple[list[CodeCell
 
     None of the code is run.
     """
-    if notebook:
-        return _compiled_cells(notebooks.code_cells(source))
-    return [("", compile(notebooks.in_utf8(source), f"{name}.py", "exec", dont_inherit=True))], []
+    if not notebook:
+        return [("", compile(notebooks.in_utf8(source), f"{name}.py", "exec", dont_inherit=True))], []
+    pieces, skipped = [], []
+    for number, text in notebooks.code_cells(source):
+        cell = f"cell {number}"
+        try:
+            pieces.append((cell, notebooks.compiled(text, cell)))
+        except Exception as error:
+            skipped.append(f"{cell}: {_in_words(error)}")
+    return pieces, skipped
 
 
 def load(
@@ -72,17 +79,6 @@ def _statements_after(error: BaseException, code: CodeType, source: bytes) -> li
     rest = [node for node in statements if (node.end_lineno or 0) >= line][1:]
     alone = (ast.Module([*future, statement], type_ignores=[]) for statement in rest)
     return [("", compile(node, code.co_filename, "exec", dont_inherit=True)) for node in alone]
-
-
-def _compiled_cells(cells: list[tuple[int, str]]) -> tuple[list[CodeCell], list[str]]:
-    pieces, skipped = [], []
-    for number, text in cells:
-        name = f"cell {number}"
-        try:
-            pieces.append((name, notebooks.compiled(text, name)))
-        except Exception as error:
-            skipped.append(f"{name}: {_in_words(error)}")
-    return pieces, skipped
 
 
 def _in_words(error: BaseException) -> str:

@@ -48,7 +48,11 @@ def picture(function: Function, args: list[Numbers], kwargs: Json, *, looked_at:
         return {"stranger": True}
     labels = {"xlabel": _text(axes.get_xlabel()), "ylabel": _text(axes.get_ylabel())}
     names = [_text(artist.get_label()) for artist, _, _ in drawn]
-    curves = [artist for artist, pieces, _ in drawn if _is_curve(pieces)]
+    curves = [
+        artist
+        for artist, pieces, _ in drawn
+        if any(len(points) >= FEWEST and len(np.unique(points, axis=0)) >= FEWEST for points in pieces)
+    ]
     inks = _inks(axes, curves) if looked_at else {}
     lines = [
         {"points": points, "label": name, "scatter": scatter, **_shown(axes, points, inks.get(artist))}
@@ -126,10 +130,6 @@ def _joined(pieces: list[Numbers]) -> list[Numbers]:
 
 def _real(points: Numbers) -> Numbers:
     return np.ma.filled(np.ma.asarray(points, float), np.nan).reshape(-1, 2)
-
-
-def _is_curve(pieces: list[Numbers]) -> bool:
-    return any(len(points) >= FEWEST and len(np.unique(points, axis=0)) >= FEWEST for points in pieces)
 
 
 def _text(text: Artist) -> str:
