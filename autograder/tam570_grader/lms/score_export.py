@@ -86,7 +86,7 @@ def export(scores: Scores, options: ExportOptions) -> Export:
         raise UsageError(f"the roster has no column {' or '.join(keys)}: export it with that column{choose}")
     headings = {slug: _column(layout, heading, slug, options) for slug in slugs}
     everyone = Directory(rosters.people(roster))
-    result = Export([[*own_keys, *headings.values(), *_end(layout, 0)]])
+    result = Export([[*own_keys, *headings.values(), *layout.end[:1]]])
     if layout.possible:
         first = next((row for row in below if row and row[0].strip() == layout.possible), [])
         there = dict(zip(heading, first, strict=False))
@@ -103,7 +103,7 @@ def export(scores: Scores, options: ExportOptions) -> Export:
         scored = {slug: joined.get((id(person), slug), "") for slug in slugs}
         cell_scores = {slug: layout.excused if score == EX else score for slug, score in scored.items()}
         cells = [_cell(cell_scores[slug], person, headings[slug], result, options.overwrite) for slug in slugs]
-        result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *_end(layout, 1)])
+        result.rows.append([*(person.row.get(name, "") for name in own_keys), *cells, *layout.end[1:]])
     return result
 
 
@@ -112,7 +112,7 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: ScoreTable, ke
     rare = ("LastName", "FirstName", "Integration ID", "Root Account", "Last Name", "First Name", "Student ID")
     ids = [name for name in keys if name not in (*rare, "OrgDefinedId")]
     headings = [layout.heading.format(slug=slug) for slug in slugs]
-    export = Export([[*ids, *headings, *_end(layout, 0)]])
+    export = Export([[*ids, *headings, *layout.end[:1]]])
     if layout.possible:
         blanks = [""] * (len(ids) - 1)
         export.rows.append([f"    {layout.possible}", *blanks, *(_possible(scores, slug) for slug in slugs)])
@@ -121,12 +121,8 @@ def _without_roster(scores: Scores, slugs: Sequence[str], layout: ScoreTable, ke
         logins = {name: cell(marked) if name == "Student" else marked for name in layout.login}
         who = [logins.get(name, marked if len(keys) == 1 else "") for name in ids]
         points = [scores.get((student, slug), ("", ""))[0].replace(EX, layout.excused) for slug in slugs]
-        export.rows.append([*who, *points, *_end(layout, 1)])
+        export.rows.append([*who, *points, *layout.end[1:]])
     return export
-
-
-def _end(layout: ScoreTable, which: int) -> list[str]:
-    return [layout.end[which]] if layout.end else []
 
 
 def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: ExportOptions) -> str:
@@ -134,11 +130,12 @@ def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: Expo
     wanted = options.columns.get(slug, slug)
     if not layout.must_match:
         return wanted
-    others = [name for name in heading if name not in layout.keys and layout.column.fullmatch(name)]
-    fits = [name for name in others if wanted in (name, *_tells(layout, name))]
+    others = [match for name in heading if name not in layout.keys and (match := layout.column.fullmatch(name))]
+    # course.toml may name a column by its heading, or by the title or the id in it
+    fits = [match[0] for match in others if wanted in (match[0], *map(match.groupdict().get, ("title", "id")))]
     if len(fits) == 1:
         return fits[0]
-    listed = "; ".join(others[:40]) or "none"
+    listed = "; ".join(match[0] for match in others[:40]) or "none"
     if fits:
         raise UsageError(
             f"{len(fits)} columns of the gradebook fit {slug}: write the id of one into course.toml: {listed}"
@@ -149,12 +146,6 @@ def _column(layout: ScoreTable, heading: Sequence[str], slug: str, options: Expo
         f"the gradebook has no column {wanted}. Its columns: {listed}. Write which one is {slug}'s into course.toml, "
         f'as [{slug[:4]}] {options.system} = "...", or make a new assignment with --new'
     )
-
-
-def _tells(layout: ScoreTable, name: str) -> list[str]:
-    """Return the title and the id in a heading, by which course.toml may name it."""
-    match = layout.column.fullmatch(name)
-    return [match[key] for key in ("title", "id") if match and key in match.groupdict()]
 
 
 def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[int, str], str]:

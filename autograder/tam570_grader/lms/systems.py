@@ -21,7 +21,7 @@ class ScoreTable:
     must_match: bool = True  # a column that the system does not know would create another assignment
     identities: Mapping[str, str] = field(default_factory=dict)  # by --identity: the heading of the only key
     possible: str | None = None  # first cell of the row of points possible
-    end: tuple[str, str] | None = None  # heading and cell of an additional last column
+    end: tuple[str, ...] = ()  # heading and cell of an additional last column
     prefix: str = ""  # prefix of each key
     excused: str = ""  # score of an excused student
 
