@@ -47,6 +47,8 @@ def policies_of(course: Path) -> dict[str, LatePolicy]:
 
 def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePolicy]:
     """Return the late policies of these assignments; raise UsageError with the key of an invalid value."""
+    from zoneinfo import ZoneInfo  # imported late: few commands need it
+
     rules = table.get("late", {})
     must(path, isinstance(rules, dict), "late must be a table: write [late] above its lines")
     no_other(path, "[late] ", rules, (*RULES, "zone"))
@@ -56,19 +58,11 @@ def policies(path: Path, table: Json, slugs: Sequence[str]) -> dict[str, LatePol
     off, most, grace = rules.get("off_a_day", 0.0), rules.get("most_off", 1.0), timedelta(minutes=rules.get("grace", 0))
     tables = by_slug(path, table, slugs)
     terms_of = {slug: _of_assignment(path, *tables[slug]) if slug in tables else (None, {}) for slug in slugs}
-    zone = _zone(path, rules.get("zone"))
-    return {slug: LatePolicy(*policy, off, most, grace, zone) for slug, policy in terms_of.items()}
-
-
-def _zone(path: Path, name: str | None) -> tzinfo | None:
-    """Return the course's time zone, None if it has no name; raise UsageError for an unknown name."""
-    from zoneinfo import ZoneInfo  # imported late: few commands need it
-
     try:
-        return None if name is None else ZoneInfo(name)
+        zone = ZoneInfo(name) if (name := rules.get("zone")) is not None else None
     except (ValueError, TypeError, LookupError, OSError):
-        must(path, False, f"[late] zone is {name!r}; write a zone such as America/New_York")
-        raise
+        raise UsageError(f"{path}: [late] zone is {name!r}; write a zone such as America/New_York") from None
+    return {slug: LatePolicy(*policy, off, most, grace, zone) for slug, policy in terms_of.items()}
 
 
 def _of_assignment(path: Path, key: str, table: Json) -> tuple[datetime | None, dict[str, float]]:
