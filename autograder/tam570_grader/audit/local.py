@@ -64,20 +64,16 @@ class Replies:
             return self._solution.reply(name, case, mode, fields)
         key = name, case.packed, mode, repr(fields)
         if key not in self._replies:
+            request = {"function": name, "mode": mode, "refused": (), "calls": [unpacked(case.packed)], **fields}
             began = time.process_time()
-            self._replies[key] = _answered(self._module, name, case, mode, fields)
+            try:
+                with _clock(), np.errstate(all="ignore"):
+                    (reply,) = answers(self._module, request)
+                self._replies[key] = checked(unpacked(packed({"replies": [reply]})), mode)[0]
+            except SlowCall:
+                self._replies[key] = TOO_SLOW
             self.seconds[name, case.packed] = time.process_time() - began
         return self._replies[key]
-
-
-def _answered(module: ModuleType, name: str, case: Case, mode: str, fields: Json) -> Reply:
-    request = {"function": name, "mode": mode, "refused": (), "calls": [unpacked(case.packed)], **fields}
-    try:
-        with _clock(), np.errstate(all="ignore"):
-            (reply,) = answers(module, request)
-    except SlowCall:
-        return TOO_SLOW
-    return checked(unpacked(packed({"replies": [reply]})), mode)[0]
 
 
 @contextlib.contextmanager

@@ -5,7 +5,7 @@ comparison that fails a right submission in another style is not released.
 """
 
 import json
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -52,7 +52,11 @@ def examples_of(course: Path, slug: str) -> str:
         functions = (getattr(module, example["function"], None) for example in candidates)
         wrong = [k for k, function in enumerate(functions) if _wrong(examples, k, function)]
         answers.append({k: examples.results.get(k) for k in wrong})
-    chosen = _chosen(candidates, [_of_its_own(*both, candidates) for both in zip(compared, answers, strict=True)])
+    failed = [  # by each mistake: the examples of the functions that it changes; if it fails none of these, all others
+        {k for k in wrong if candidates[k]["function"] in mistake.defined} or {*wrong}
+        for mistake, wrong in zip(compared, answers, strict=True)
+    ]
+    chosen = _chosen(candidates, failed)
     fingerprints = [_fingerprints(*both, chosen, candidates) for both in zip(compared, answers, strict=True)]
     released = ",\n".join(json.dumps(candidates[k], allow_nan=False) for k in chosen)
     distinguishing = ",\n".join(json.dumps(fingerprint) for fingerprint in fingerprints if fingerprint)
@@ -118,11 +122,6 @@ def _wrong(examples: Examples, number: int, function: Any) -> bool:
     except Exception:  # a wrong function may raise anything
         return True
     return False
-
-
-def _of_its_own(mistake: Mistake, wrong: Iterable[int], candidates: Sequence[Example]) -> set[int]:
-    """Return the failed examples that belong to the functions that a mistake changes; if there are none, all failed."""
-    return {k for k in wrong if candidates[k]["function"] in mistake.defined} or {*wrong}
 
 
 def _chosen(candidates: Sequence[Example], wrong: Sequence[set[int]]) -> list[int]:
