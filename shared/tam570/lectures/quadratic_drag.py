@@ -62,10 +62,10 @@ def film(parameters: Mapping[str, float], start: Sequence[float], seconds: float
     """Return the scene of a cannon ball: as the Middle Ages thought, on a parabola, and with drag, with a slider."""
     drag = parameters["drag"]
     drags = [share * drag for share in SLIDER] if drag else []
-    return with_slider(lambda c: _one({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
+    return with_slider(lambda c: _three_balls({**parameters, "drag": c}, start, seconds), "drag", "kg/m", drags, drag)
 
 
-def _one(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
+def _three_balls(parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     times = frame_times(seconds)
     states = solve(rates, times, start, parameters=parameters, rtol=1e-8)
     falls = np.outer(times**2 / 2, [0.0, -parameters["gravity"]])

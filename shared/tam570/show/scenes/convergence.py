@@ -39,7 +39,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
         "the wrong one wanders.",
         times,
         [
-            Panel([*_draw(correct, parameters), *_pendulum(wrong, parameters, 1, "wrong equations")]),
+            Panel([*_draw(correct, parameters), *_draw(wrong, parameters, 1, "wrong equations")]),
             Panel(_orders(lecture.errors), "error over step: both converge", ruler=False),
         ],
         [value_plot("energy", times, totals, "J", *drift)],
@@ -48,11 +48,7 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
     )
 
 
-def _draw(states: Array, parameters: Parameters) -> list[Shape]:
-    return _pendulum(states, parameters, 0, "right equations")
-
-
-def _pendulum(states: Array, parameters: Parameters, color: int, name: str) -> list[Shape]:
+def _draw(states: Array, parameters: Parameters, color: int = 0, name: str = "right equations") -> list[Shape]:
     elbow, tip = joints(states[:, :2].T, parameters["lengths"])
     return [
         Shape("trail", tip[:, None], color, width=1, faint=True),

@@ -28,11 +28,12 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
     energy = {name: parameters[name] for name in ("mass", "gravity")}
     rod = student.each("wireframe", states, length=length)[:, 0]
     forces = student.make_each(lambda: student.each("constraint_force", states, **parameters))
-    shapes = [
-        *_draw(rod, length),
-        *force_shapes(student, states, **parameters, size=0.3 * length),
-        *(shape for force in forces for shape in _arrows(force, states[:, :2], parameters)),
-    ]
+    shapes = [*_draw(rod, length), *force_shapes(student, states, **parameters, size=0.3 * length)]
+    weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
+    unit = ARROW * length / (np.linalg.norm(weight) or 1.0)  # m/N
+    for force in forces:
+        shapes.append(arrow(states[:, :2], unit * weight, 2, "weight", 3))
+        shapes.append(arrow(states[:, :2], unit * force, 3, "force of the rod", 4))
     return Scene(
         "Pendulum as a constrained particle",
         "A particle on a rod falls from next to the top of its circle, swings through the bottom almost back to "
@@ -76,12 +77,6 @@ def _draw(rod: Array, length: Numbers) -> list[Shape]:
         Shape("dot", np.zeros((1, 2)), INK, width=5),
         Shape("dot", rod[:, 1:], 1, "particle", width=10),
     ]
-
-
-def _arrows(force: Array, particle: Array, parameters: Parameters) -> list[Shape]:
-    weight = parameters["mass"] * parameters["gravity"] * np.array([0.0, -1.0])
-    unit = ARROW * parameters["length"] / (np.linalg.norm(weight) or 1.0)  # m/N
-    return [arrow(particle, unit * weight, 2, "weight", 3), arrow(particle, unit * force, 3, "force of the rod", 4)]
 
 
 def _pull(times: Array, force: Array, particle: Array, length: float) -> TimePlot:

@@ -30,12 +30,16 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
     def energy(rows: Array) -> Array:
         return student.each("energy", rows[:, :2], rows[:, 2:], **arguments)
 
+    shapes, size = _bars(bars[:, 0], bars[:, 1]), 0.3 * float(np.mean(arguments["lengths"]))
+    for bar in (1, 2):
+        rows = [bar] * len(times), states[:, :2]
+        shapes += force_shapes(student, *rows, size=size, color=bar + 2, label=f"forces on bar {bar}", **arguments)
     return Scene(
         "Double pendulum",
         "Two bars hang one below the other from a hinge. They start level and at rest, fall, and tumble; a trail "
         "shows the path of the tip.",
         times,
-        [Panel([*_bars(bars[:, 0], bars[:, 1]), *_forces(student, states, arguments)])],
+        [Panel(shapes)],
         [
             *student.make_each(lambda: state_energy_plot(times, states, 2, energy)),
             value_plot("angles", times, {"θ1": states[:, 0], "θ2": states[:, 1]}, "rad"),
@@ -46,18 +50,6 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
 
 def _as_arrays(*, masses: Numbers, lengths: Numbers, gravity: Numbers) -> Json:
     return {"masses": np.array(masses), "lengths": np.array(lengths), "gravity": gravity}
-
-
-def _forces(student: StudentModule, states: Array, parameters: Parameters) -> list[Shape]:
-    shapes, rows = list[Shape](), states[:, :2]
-    for bar in (1, 2):
-        look: Json = {
-            "size": 0.3 * float(np.mean(parameters["lengths"])),
-            "color": bar + 2,
-            "label": f"forces on bar {bar}",
-        }
-        shapes += force_shapes(student, [bar] * len(rows), rows, **look, **parameters)
-    return shapes
 
 
 def _live(student: StudentModule, parameters: Parameters, start: Sequence[float]) -> Live:

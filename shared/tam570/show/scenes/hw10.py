@@ -29,7 +29,7 @@ def film(student: StudentModule, parameters: Parameters, start: Sequence[float],
     inertia = np.diag(of_box(parameters["mass"], parameters["size"]))
     if not spin.any():
         raise Trouble("start: a body at rest shows nothing; set start.omega_b, say")
-    omegas, rotations = _motion(student, times, spin, inertia)
+    omegas, rotations = student("simulate", times, _attitude(spin, inertia), spin, inertia=inertia)
     momenta = student.make_each(lambda: student.each("angular_momentum", rotations, omegas, inertia=inertia))
     box = _box(student, rotations, omegas, momenta, np.array(parameters["size"]))
     panels = [Panel(box, "box in space", ruler=False)]
@@ -88,10 +88,6 @@ def _attitude(omega: Array, inertia: Array) -> Array:
     first = np.cross(third, np.roll(UP, 1) if abs(third[0]) < 0.9 else UP)
     first /= np.linalg.norm(first)
     return np.array([first, np.cross(third, first), third])
-
-
-def _motion(student: StudentModule, times: Array, omega: Array, inertia: Array) -> Numbers:
-    return student("simulate", times, _attitude(omega, inertia), omega, inertia=inertia)
 
 
 def _box(student: StudentModule, rotations: Array, omegas: Array, momenta: list[Array], size: Array) -> list[Shape]:
@@ -163,7 +159,7 @@ def _sphere() -> list[Array]:
 
 def _disk(student: StudentModule, times: Array) -> Panel:
     """Return a disk with two points of its rim, a quarter turn apart, and the body cone and space cone of omega."""
-    omegas, rotations = _motion(student, times, WOBBLE, DISK)
+    omegas, rotations = student("simulate", times, _attitude(WOBBLE, DISK), WOBBLE, inertia=DISK)
     length = 1.6 / np.linalg.norm(WOBBLE)
     omega = length * in_space(rotations, omegas)
     first, other = RADIUS * rotations[:, :, 0], RADIUS * rotations[:, :, 1]

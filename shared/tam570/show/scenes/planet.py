@@ -1,7 +1,6 @@
 """The lecture `planet`: an orbit, and beside it Newton's polygon of impulses with a slider for their number."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from math import sqrt
 from types import SimpleNamespace
 
@@ -26,8 +25,8 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
     plane = _plane(states[0])
     flat = np.hstack([states[:, :3] @ plane.T, states[:, 3:] @ plane.T])
-
-    measures = energies(lecture.energy, 3)
+    orbit, measures = flat[:, :2], energies(lecture.energy, 3)
+    rate = float(flat[0, 0] * flat[0, 3] - flat[0, 1] * flat[0, 2]) / 2  # m^2/s, of the area
 
     def drawing(states: Array, parameters: Parameters) -> list[Shape]:
         return _planet(states[:, :3] @ plane.T, 0, "planet")
@@ -35,12 +34,34 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     def grab(point: Numbers, state: Numbers, **parameters: Numbers) -> list[Numbers]:
         return [*(np.array(point[:2]) @ plane), *state[3:]]
 
+    handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
+
     def scene_with(count: float) -> Scene:
-        scene = _one(times, flat, period, int(count), parameters["gm"])
-        handle = Handle(lambda state, **parameters: plane @ np.array(state[:3]), grab)
-        still = [shape for shape in scene.panels[0].shapes if shape.points.ndim == 2]
-        live = Live(lecture.rates, parameters, start, drawing, [handle], measures, backdrop=still)
-        return replace(scene, live=live)
+        step = period / count
+        corners = _polygon(flat[0], step, int(times[-1] / step) + 2, parameters["gm"])
+        part, share = np.divmod(times / step, 1.0)
+        last = part.astype(int)
+        newton = corners[last] + share[:, None] * (corners[last + 1] - corners[last])
+        swept = {"attracted": _swept(orbit), "polygon": _swept(newton)}
+        off = {name: area - rate * times for name, area in swept.items()}
+        caption = drift_caption(off, abs(rate) * times[-1] or 1.0, "all of it", "from equal areas: ")
+        passed = np.column_stack([np.interp(step * np.arange(last[-1] + 1), times, x) for x in orbit.T])
+        attracted = _scene(passed, int(count), last, orbit, 0, "planet")
+        still = [shape for shape in attracted if shape.points.ndim == 2]
+        return Scene(
+            "Planet, and Newton's polygon of impulses",
+            "On the left a planet goes round the sun on an ellipse. On the right it moves straight on for equal times "
+            "and gets an impulse towards the sun after each. Rays from the sun at these times cut off equal areas on "
+            "both sides. With more impulses the polygon comes closer to the ellipse.",
+            times,
+            [
+                Panel(attracted, "attracted at all times"),
+                Panel(_scene(corners[:-1], int(count), last, newton, 1, "planet of the polygon"), "by impulses"),
+            ],
+            [value_plot("area swept", times, swept, "m²", *caption)],
+            still_time=0.3,
+            live=Live(lecture.rates, parameters, start, drawing, [handle], measures, backdrop=still),
+        )
 
     return with_slider(scene_with, "impulses", "", IMPULSES, FIRST)
 
@@ -52,32 +73,6 @@ def _plane(state: Array) -> Array:
     across = v - (v @ along) * along
     size = np.linalg.norm(across)
     return np.array([along, across / size if size else np.zeros(3)])
-
-
-def _one(times: Array, states: Array, period: float, count: int, gm: float) -> Scene:
-    step = period / count
-    corners = _polygon(states[0], step, int(times[-1] / step) + 2, gm)
-    part, share = np.divmod(times / step, 1.0)
-    last = part.astype(int)
-    newton = corners[last] + share[:, None] * (corners[last + 1] - corners[last])
-    orbit = states[:, :2]
-    swept = {"attracted": _swept(orbit), "polygon": _swept(newton)}
-    rate = float(states[0, 0] * states[0, 3] - states[0, 1] * states[0, 2]) / 2  # m^2/s
-    off, total = {name: area - rate * times for name, area in swept.items()}, abs(rate) * times[-1] or 1.0
-    passed = np.column_stack([np.interp(step * np.arange(last[-1] + 1), times, x) for x in orbit.T])
-    return Scene(
-        "Planet, and Newton's polygon of impulses",
-        "On the left a planet goes round the sun on an ellipse. On the right it moves straight on for equal times and "
-        "gets an impulse towards the sun after each. Rays from the sun at these times cut off equal areas on both "
-        "sides. With more impulses the polygon comes closer to the ellipse.",
-        times,
-        [
-            Panel(_scene(passed, count, last, orbit, 0, "planet"), "attracted at all times"),
-            Panel(_scene(corners[:-1], count, last, newton, 1, "planet of the polygon"), "by impulses"),
-        ],
-        [value_plot("area swept", times, swept, "m²", *drift_caption(off, total, "all of it", "from equal areas: "))],
-        still_time=0.3,
-    )
 
 
 def _polygon(start: Array, step: float, count: int, gm: float) -> Array:

@@ -1,7 +1,6 @@
 """The lecture `sleigh`: pushed with G behind the blade, it turns round; a slider changes its speed."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -22,6 +21,8 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
     times, offset, k = frame_times(seconds), parameters["offset"], lecture.gyration(**parameters)
     size = offset or k
     measures, handles = energies(lecture.energy), [drag(0, 2), Handle(_nose, _turn_to)]
+    total = 180.0 * k / abs(offset) if offset else float("inf")
+    most = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
 
     def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
         return _sleigh(states, parameters["offset"], size)
@@ -30,35 +31,26 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
         share = speed / start[3] if start[3] else 1.0
         begin = (*start[:3], speed, share * start[4])
         states = solve(lecture.rates, times, begin, parameters=parameters, rtol=1e-8)
-        live = Live(lecture.rates, parameters, begin, drawing, handles, measures)
+        rates = {"speed": states[:, 3], "k yaw rate": k * states[:, 4]}
+        turned = np.degrees(states[:, 2] - states[0, 2])
         caption = drift_caption(values(lecture.energy, states, **parameters), of="the energy")
-        return replace(_one(times, states, offset, k, caption), live=live)
+        return Scene(
+            "Chaplygin's sleigh",
+            "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind "
+            "the blade, turns round, and goes on straight with its centre of mass ahead. However fast it is, it turns "
+            "by one angle.",
+            times,
+            [Panel(drawing(states, parameters)), Panel(_phase_plane(states, offset, k), "phase plane", ruler=False)],
+            [
+                value_plot("turned", times, {"": turned}, "degrees", most),
+                value_plot("speed, and k times yaw rate", times, rates, "m/s", *caption),
+            ],
+            still_time=0.5,
+            live=Live(lecture.rates, parameters, begin, drawing, handles, measures),
+        )
 
     speeds = [share * start[3] for share in SHARES] if start[3] else []
     return with_slider(scene_at, "push", "m/s", speeds, start[3])
-
-
-def _one(times: Array, states: Array, offset: float, k: float, caption: tuple[str, bool]) -> Scene:
-    speeds = {"speed": states[:, 3], "k yaw rate": k * states[:, 4]}
-    turned = np.degrees(states[:, 2] - states[0, 2])
-    total = 180.0 * k / abs(offset) if offset else float("inf")
-    most = f"at most pi k/offset = {total:.4g} degrees" if offset else "G at the blade: it turns for ever"
-    return Scene(
-        "Chaplygin's sleigh",
-        "A sleigh on ice glides on one blade that cannot slip sideways. It starts with its centre of mass behind the "
-        "blade, turns round, and goes on straight with its centre of mass ahead. However fast it is, it turns by one "
-        "angle.",
-        times,
-        [
-            Panel(_sleigh(states, offset, offset or k)),
-            Panel(_phase_plane(states, offset, k), "phase plane", ruler=False),
-        ],
-        [
-            value_plot("turned", times, {"": turned}, "degrees", most),
-            value_plot("speed, and k times yaw rate", times, speeds, "m/s", *caption),
-        ],
-        still_time=0.5,
-    )
 
 
 def _sleigh(states: Array, offset: float, size: float) -> list[Shape]:

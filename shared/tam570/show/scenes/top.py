@@ -1,7 +1,6 @@
 """The lecture `top`: a top let go, in both steady precessions, and asleep."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from functools import partial
 from types import SimpleNamespace
 
@@ -21,13 +20,9 @@ NUDGED = 0.02  # rad, the tilt of a top that may sleep
 
 def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
     """Return the scene of a top let go, in steady precession and asleep, with a slider for the rate of its spin."""
-
-    def make(spin: float) -> Scene:
-        begin, measures = (*start[:5], spin), energies(lecture.energy, 3)
-        live = Live(lecture.rates, parameters, begin, _draw, [HANDLE], measures)
-        return replace(_tops(lecture, parameters, begin, seconds), live=live)
-
-    return with_slider(make, "rate of phi", "rad/s", SPINS, start[5])
+    return with_slider(
+        lambda spin: _tops(lecture, parameters, (*start[:5], spin), seconds), "rate of phi", "rad/s", SPINS, start[5]
+    )
 
 
 def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequence[float], seconds: float) -> Scene:
@@ -65,6 +60,7 @@ def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequ
         ],
         view=(0.5, 0.3),
         still_time=0.5,
+        live=Live(lecture.rates, parameters, start, _draw, [HANDLE], energies(lecture.energy, 3)),
     )
 
 

@@ -1,7 +1,6 @@
 """The lecture `truss`: particles joined by springs, over a rigid body of the same shape, with a stiffness slider."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,32 +19,26 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
     times = frame_times(seconds)
     body = lecture.rigid(times, start, **parameters)
     stiffness, half = parameters["stiffness"], len(start) // 2
-    handles = [drag(i, 2) for i in range(0, half, 2)]
+    rigid = body[:, :half].reshape(len(times), -1, 2)
+    rigid_body = Shape("lines", rigid[:, np.ravel(parameters["bars"])], GREY, "rigid body", width=7, faint=True)
+    handles, measures = [drag(i, 2) for i in range(0, half, 2)], energies(lecture.energy, half)
 
     def scene_with(value: float) -> Scene:
         arguments = {**parameters, "stiffness": value}
         states = solve(lecture.rates, times, start, parameters=arguments, rtol=1e-6)
-        measures = energies(lecture.energy, half)
-        live = Live(lecture.rates, arguments, start, _draw, handles, measures)
-        return replace(_one(times, states, body, arguments), live=live)
+        farthest = np.linalg.norm(states[:, :half].reshape(rigid.shape) - rigid, axis=2).max(axis=1)
+        return Scene(
+            "Truss as a rigid body",
+            "Particles that are joined by springs fly and turn. Behind them the rigid body of the same start. The "
+            "stiffer the springs, the longer they stay together.",
+            times,
+            [Panel([rigid_body, *_draw(states, arguments)])],
+            [value_plot("farthest particle from the rigid body", times, {"": farthest}, "m")],
+            still_time=0.3,
+            live=Live(lecture.rates, arguments, start, _draw, handles, measures),
+        )
 
     return with_slider(scene_with, "stiffness", "N/m", [share * stiffness for share in SHARES], stiffness)
-
-
-def _one(times: Array, states: Array, body: Array, parameters: Parameters) -> Scene:
-    shape = (len(times), -1, 2)
-    particles, rigid = (history[:, : history.shape[1] // 2].reshape(shape) for history in (states, body))
-    rigid_body = Shape("lines", rigid[:, np.ravel(parameters["bars"])], GREY, "rigid body", width=7, faint=True)
-    farthest = np.linalg.norm(particles - rigid, axis=2).max(axis=1)
-    return Scene(
-        "Truss as a rigid body",
-        "Particles that are joined by springs fly and turn. Behind them the rigid body of the same start. The stiffer "
-        "the springs, the longer they stay together.",
-        times,
-        [Panel([rigid_body, *_draw(states, parameters)])],
-        [value_plot("farthest particle from the rigid body", times, {"": farthest}, "m")],
-        still_time=0.3,
-    )
 
 
 def _draw(states: Array, parameters: Parameters) -> list[Shape]:
