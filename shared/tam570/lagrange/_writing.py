@@ -22,7 +22,12 @@ def module(motion: EquationsOfMotion) -> str:
     """Return the text of the module."""
     _check_names(motion)
     functions = [
-        _function(motion, "rhs", "The rates of the state.", _rates),
+        _function(
+            motion,
+            "rhs",
+            "The rates of the state.",
+            lambda m, lines: _tuple(lines, [*m.velocities, *_solution(m, lines)[0]]),
+        ),
         _function(motion, "mass_matrix", "M, by rows.", lambda m, lines: _rows(lines, m.mass)),
         _function(motion, "forcing", "F.", lambda m, lines: _tuple(lines, _values(lines, m.forcing))),
         _function(motion, "energy", "Jacobi's integral.", lambda m, lines: _text(lines, _values(lines, [m.energy])[0])),
@@ -34,16 +39,13 @@ def module(motion: EquationsOfMotion) -> str:
             _function(motion, "multipliers", "lam.", lambda m, lines: _tuple(lines, _solution(m, lines)[1])),
             _function(motion, "constraint_errors", errors, lambda m, lines: _tuple(lines, _values(lines, m.errors))),
         ]
-    return "\n\n\n".join([_head(motion), *functions]) + "\n"
-
-
-def _head(motion: EquationsOfMotion) -> str:
     names = ", ".join(map(str, motion.coordinates))
-    return (
+    head = (
         f'"""Equations of motion in {names}; written by tam570.lagrange, not to be edited."""\n\nimport math\n\n'
         f"STATE = {tuple(map(str, motion.coordinates + motion.velocities))}\n"
         f"PARAMETERS = {tuple(map(str, motion.parameters))}"
     )
+    return "\n\n\n".join([head, *functions]) + "\n"
 
 
 def _function(motion: EquationsOfMotion, name: str, summary: str, result: Expression) -> str:
@@ -53,10 +55,6 @@ def _function(motion: EquationsOfMotion, name: str, summary: str, result: Expres
     lines = [f"{', '.join(map(str, motion.coordinates + motion.velocities))} = state"]
     lines.append(f"return {result(motion, lines)}")
     return f'def {name}({signature}):\n    """{summary}"""\n    ' + "\n    ".join(lines)
-
-
-def _rates(motion: EquationsOfMotion, lines: Lines) -> str:
-    return _tuple(lines, [*motion.velocities, *_solution(motion, lines)[0]])
 
 
 def _solution(motion: EquationsOfMotion, lines: Lines) -> tuple[list[Expression], list[Expression]]:
