@@ -55,9 +55,6 @@ def _kept(rule, words):
         return ""
     if rule.type != "qualified-rule":
         return rule.serialize()
-    selectors = [part for part in tinycss2.serialize(rule.prelude).split(",") if _met(part, words)]
-    return f"{','.join(selectors)}{{{tinycss2.serialize(rule.content)}}}" if selectors else ""
-
-
-def _met(selector, words):
-    return all(name in words for name in NAME.findall(NEGATION.sub("", selector)))
+    selectors = tinycss2.serialize(rule.prelude).split(",")
+    met = [selector for selector in selectors if words.issuperset(NAME.findall(NEGATION.sub("", selector)))]
+    return f"{','.join(met)}{{{tinycss2.serialize(rule.content)}}}" if met else ""
