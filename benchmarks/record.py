@@ -25,7 +25,7 @@ def facts():
 def write(path, **tables):
     """Write the facts and the tables to `path`."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(_text(_rounded({**facts(), **tables})) + "\n", encoding="utf-8")
+    path.write_text(_text(rounded({**facts(), **tables})) + "\n", encoding="utf-8")
 
 
 def read(path):
@@ -33,11 +33,12 @@ def read(path):
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
 
 
-def _rounded(value):
+def rounded(value):
+    """Return tables with three digits of each float."""
     if isinstance(value, dict):
-        return {key: _rounded(item) for key, item in value.items()}
+        return {key: rounded(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_rounded(item) for item in value]
+        return [rounded(item) for item in value]
     return float(f"{value:.3g}") if isinstance(value, float) else value
 
 

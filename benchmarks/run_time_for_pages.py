@@ -9,6 +9,7 @@ import json
 from pathlib import Path
 
 import numpy as np
+import record
 from run_time import scenes
 
 HERE = Path(__file__).parent
@@ -19,8 +20,8 @@ SAME = 1e-6  # of the state: the solution reaches 1e-9 in every scene
 
 def shared():
     """Return {assignment: data of its page}, as written to the file."""
-    results = json.loads((HERE / "results" / "run_time_against_error.json").read_text())
-    ends = json.loads((HERE / "results" / "run_time_references.json").read_text())
+    results = json.loads((record.FOLDER / "run_time_against_error.json").read_text())
+    ends = json.loads((record.FOLDER / "run_time_references.json").read_text())
     pages = {}
     for name, scene in results["scenes"].items():
         call, reference = scenes.SCENES[name], np.array(ends[name]["state"], float)
@@ -29,22 +30,18 @@ def shared():
         if not is_state or np.abs(rows[-1] - reference).max() > SAME * np.abs(reference).max():
             continue
         curves = {
-            method: [[_short(seconds), _short(error)] for _, seconds, error in scene["curves"][method] if error > 0]
+            method: [[seconds, error] for _, seconds, error in scene["curves"][method] if error > 0]
             for method in METHODS
         }
         pages[call.slug] = {
             "scene": name,
             "function": call.function,
             "end": reference.tolist(),
-            "curves": curves,
+            "curves": record.rounded(curves),
             "arguments": [np.asarray(argument).tolist() for argument in call.arguments],
             "keywords": {key: np.asarray(argument).tolist() for key, argument in call.parameters.items()},
         }
     return pages
-
-
-def _short(number):
-    return float(f"{number:.3g}")
 
 
 if __name__ == "__main__":

@@ -10,10 +10,6 @@ import math
 PI = math.pi
 
 
-def _a5(t, y):
-    return ((y[0] - t) / (y[0] + t),)
-
-
 def _b4(t, y):
     r = math.sqrt(y[0] * y[0] + y[1] * y[1])
     return -y[1] - y[0] * y[2] / r, y[0] - y[1] * y[2] / r, y[0] / r
@@ -155,7 +151,7 @@ PROBLEMS = {
     "DETEST A2": (lambda t, y: (-y[0] * y[0] * y[0] / 2,), (1.0,), 20.0),
     "DETEST A3": (lambda t, y: (y[0] * math.cos(t),), (1.0,), 20.0),
     "DETEST A4": (lambda t, y: (y[0] / 4 * (1 - y[0] / 20),), (1.0,), 20.0),
-    "DETEST A5": (_a5, (4.0,), 20.0),
+    "DETEST A5": (lambda t, y: ((y[0] - t) / (y[0] + t),), (4.0,), 20.0),
     "DETEST B1": (lambda t, y: (2 * (y[0] - y[0] * y[1]), -(y[1] - y[0] * y[1])), (1.0, 3.0), 20.0),
     "DETEST B2": (lambda t, y: (-y[0] + y[1], y[0] - 2 * y[1] + y[2], y[1] - y[2]), (2.0, 0.0, 1.0), 20.0),
     "DETEST B3": (lambda t, y: (-y[0], y[0] - y[1] * y[1], y[1] * y[1]), (1.0, 0.0, 0.0), 20.0),
