@@ -1,6 +1,7 @@
 """Find submissions and read them safely: outside the sandbox, a submission is only data."""
 
 import collections
+import functools
 import hashlib
 import itertools
 import os
@@ -116,11 +117,15 @@ def read(submission: Submission) -> Source:
 
 def packed_files(submission: Submission) -> "list[File]":
     """Return the modules, notebooks, drawings and texts in a submission's zip file, also refused ones."""
+    assert submission.path is not None
+    return _unpacked(printable(submission.path.name), _bytes(submission.path, submission.tree, LARGEST))
+
+
+@functools.lru_cache(maxsize=1)  # a page of `mark` asks for each drawing
+def _unpacked(name: str, data: bytes) -> "list[File]":
     from tam570_grader.grading.archives import File, Quota, unpack_zip  # not at the top: it imports zipfile
 
-    assert submission.path is not None
-    name = printable(submission.path.name)
-    return unpack_zip(File(name, _bytes(submission.path, submission.tree, LARGEST)), Quota())
+    return unpack_zip(File(name, data), Quota())
 
 
 def _packed_source(slug: str, name: str, files: "Iterable[File]") -> Source:

@@ -12,6 +12,8 @@ from classes import hand_in, packed
 from tam570_grader import cli
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError
+from tam570_grader.grading import archives
+from tam570_grader.grading import submissions as submission_files
 from tam570_grader.grading.submissions import submissions
 from tam570_grader.lms.manual_grading import Desk, StudentWork, serve
 from tam570_grader.results import manual_points
@@ -63,6 +65,15 @@ def test_the_page_shows_the_work_and_runs_nothing_of_it(desk):
     assert "default-src 'none'" in headers["Content-Security-Policy"] and "passwd" not in text
     assert ask(f"{address}/0")[2].startswith("\ufffdPNG") and ask(f"{address}/1")[2] == "in it"
     assert ask(f"{address}/2")[0] == 404
+
+
+def test_a_page_and_its_drawings_unpack_a_zip_file_once(desk, monkeypatch):
+    calls, real = [], archives.unpack_zip
+    monkeypatch.setattr(archives, "unpack_zip", lambda *arguments: calls.append(1) or real(*arguments))
+    submission_files._unpacked.cache_clear()
+    for address in (desk[1], f"{desk[1]}/0", f"{desk[1]}/1"):
+        ask(address)
+    assert len(calls) == 1
 
 
 def test_nobody_else_is_answered(desk):
