@@ -59,9 +59,7 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
     for file in files:
         fields = fields_of(file.path, system)
         is_file = fields is not None and file.path.endswith(fields["whole"])
-        if fields and is_file and file.path.endswith(".txt") and not fields.get("file"):
-            continue  # Blackboard's note on the submission
-        if fields is None or (is_file and not fields.get("file") and not file.path.endswith(".html")):
+        if fields is None or (is_file and not fields.get("file") and not file.path.endswith((".html", ".txt"))):
             yield file
             continue
         name = fields["file"] if is_file and fields.get("file") else file.path.rsplit("/", 1)[-1]

@@ -32,7 +32,8 @@ SUBMITTED = (
     "submission updated.",
     "a file has been uploaded.",
 )
-TYPED = re.compile(r"onlinetext\.html|.+_text\.html")  # Moodle's and Canvas's files of typed text
+NOTE = re.compile(r".+_attempt_[\d-]+\.txt")  # Blackboard's note on a submission, which has its typed text
+TYPED = re.compile(rf"onlinetext\.html|.+_text\.html|{NOTE.pattern}")  # Moodle's, Canvas's and Blackboard's typed text
 TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's log
 
 
@@ -74,7 +75,11 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     teams = {name: who for path in tables for name, who in rosters.groups(path, everyone).items()}
     everything = list(read(members(source), system))
     strays = [handed for handed in everything if isinstance(handed, File)]
-    unpacked = _unpacked([handed for handed in everything if isinstance(handed, Handed)])
+    uploads = [handed for handed in everything if isinstance(handed, Handed)]
+    with_files = {handed.who for handed in uploads if not NOTE.fullmatch(handed.title)}
+    unpacked = _unpacked(
+        [upload for upload in uploads if upload.who not in with_files or not NOTE.fullmatch(upload.title)]
+    )
     if not unpacked:
         raise UsageError(f"no name in {source} has the form that {SYSTEMS[system].title} gives: is --from right?")
     slug = slug_given or _assignment_of(unpacked, slugs)

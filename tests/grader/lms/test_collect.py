@@ -63,6 +63,14 @@ def test_a_stub_beside_the_zip_file_of_the_work_does_not_count(download, desk):
     assert download("canvas", files, ROSTER)[0] == 0 and desk.collected == {"aadams": work}
 
 
+def test_a_note_of_blackboard_is_named_only_if_no_file_is_with_it(download, desk):
+    file = "HW8_{}_attempt_2026-09-14-22-00-00{}"
+    notes = {file.format(login, ".txt"): "Submission Field: x" for login in ("aadams", "bbrown")}
+    code, said = download("blackboard", {**notes, file.format("aadams", "_hw08.py"): "a"}, ROSTER)
+    assert code == 1 and desk.collected == {"aadams": "a"} and "handed in nothing: cchen" in said
+    assert "of bbrown is not collected: the student typed this text" in said and "of aadams" not in said
+
+
 @pytest.mark.parametrize("times", first(1, [1, 80_000]))
 def test_gradescope_by_its_metadata_groups_too(desk, download, times):
     """Gradescope writes all outputs into the metadata; `collect` reads a large file without building a tree of it."""
