@@ -13,13 +13,14 @@ def test_two_forces_act_on_the_mass():
     forces = hw.free_body_diagram(0.7, -3.0, **PENDULUM)
     assert len(forces) == 2
     for point, _ in forces:
-        np.testing.assert_allclose(point, [0.5 * np.sin(0.7), -0.5 * np.cos(0.7)])
+        np.testing.assert_allclose(np.asarray(point, float), [0.5 * np.sin(0.7), -0.5 * np.cos(0.7)])
 
 
 def test_the_weight_is_down_and_the_force_of_the_rod_along_the_rod():
     directions = [direction for _, direction in hw.free_body_diagram(0.7, -3.0, **PENDULUM)]
     assert all(direction is not None for direction in directions)
-    units = [np.asarray(direction, float) / np.linalg.norm(direction) for direction in directions]
+    arrows = [np.asarray(direction, float) for direction in directions]
+    units = [arrow / np.linalg.norm(arrow) for arrow in arrows]
     assert max(unit @ [0, -1] for unit in units) == pytest.approx(1.0)
     assert max(abs(unit @ [np.sin(0.7), -np.cos(0.7)]) for unit in units) == pytest.approx(1.0)
 

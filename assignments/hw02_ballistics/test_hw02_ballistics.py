@@ -21,7 +21,7 @@ def test_two_forces_act_on_a_particle_that_flies():
     forces = hw.free_body_diagram(np.array([1.0, 2.0, 3.0, -4.0]), mass=2.0, drag=0.5, gravity=10.0)
     assert len(forces) == 2
     for point, _ in forces:
-        np.testing.assert_allclose(point, [1.0, 2.0])
+        np.testing.assert_allclose(numbers(point), [1.0, 2.0])
 
 
 def test_a_particle_at_rest_starts_to_fall():

@@ -16,9 +16,10 @@ def test_two_forces_act_on_the_mass():
     forces = hw.free_body_diagram(np.array([1.0, 2.0, -3.0, 0.0, 0.0, 0.0]), mass=2.0, stiffness=5.0, gravity=10.0)
     assert len(forces) == 2
     for point, _ in forces:
-        np.testing.assert_allclose(point, [1.0, 2.0, -3.0])
+        np.testing.assert_allclose(numbers(point), [1.0, 2.0, -3.0])
     assert all(direction is not None for _, direction in forces)
-    units = [np.asarray(direction, float) / np.linalg.norm(direction) for _, direction in forces]
+    arrows = [numbers(direction) for _, direction in forces]
+    units = [arrow / np.linalg.norm(arrow) for arrow in arrows]
     assert max(unit @ [0, 0, -1] for unit in units) == pytest.approx(1.0)
     assert max(unit @ [-1, -2, 3] for unit in units) == pytest.approx(np.sqrt(14.0))
 

@@ -20,7 +20,7 @@ def test_two_forces_act_on_the_particle():
     forces = hw.free_body_diagram(np.array([3.0, -4.0, 4.0, 3.0]), mass=2.0, length=5.0, gravity=10.0)
     assert len(forces) == 2
     for point, _ in forces:
-        np.testing.assert_allclose(point, [3.0, -4.0])
+        np.testing.assert_allclose(numbers(point), [3.0, -4.0])
 
 
 def test_at_rest_at_the_bottom_the_rod_carries_the_weight():

@@ -24,7 +24,7 @@ def test_the_ground_pushes_the_car_at_its_axles():
     car = {"mass": 1000.0, "front": 1.0, "rear": 2.0, "friction": 0.8, "gravity": 10.0}
     for locked in ("front", "rear"):
         forces = hw.free_body_diagram(np.array([5.0, 6.0, 0.0, 20.0, 0.3]), locked, **car)
-        np.testing.assert_allclose(sorted(point[0] for point, _ in forces), [3.0, 6.0])
+        np.testing.assert_allclose(sorted(float(point[0]) for point, _ in forces), [3.0, 6.0])
 
 
 def test_the_two_axles_carry_the_weight_and_the_one_near_G_carries_more():

@@ -21,7 +21,7 @@ numbers = partial(np.asarray, dtype=float)  # of a result, whatever kind of numb
 @pytest.mark.parametrize(("bar", "places"), [(1, [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0)]), (2, [(1.0, -1.0), (1.0, 0.0)])])
 def test_the_forces_on_a_bar_act_at_so_many_points(bar, places):
     forces = hw.free_body_diagram(bar, np.array([np.pi / 2, 0.0]), **LEVEL)
-    points = sorted({tuple(np.round(point, 9)) for point, _ in forces})
+    points = sorted({tuple(np.round(numbers(point), 9)) for point, _ in forces})
     assert len(points) == len(places)
     np.testing.assert_allclose(points, places, atol=1e-8)
     assert len(forces) > len(points) or sum(direction is None for _, direction in forces) == len(points) - 1  # hinges

@@ -19,9 +19,10 @@ def test_two_forces_act_on_the_bead():
     forces = hw.free_body_diagram(0.5, mass=2.0, curvature=3.0, gravity=10.0)
     assert len(forces) == 2
     for point, _ in forces:
-        np.testing.assert_allclose(point, [0.5, 0.75])
+        np.testing.assert_allclose(np.asarray(point, float), [0.5, 0.75])
     assert all(direction is not None for _, direction in forces)
-    units = [np.asarray(direction, float) / np.linalg.norm(direction) for _, direction in forces]
+    arrows = [np.asarray(direction, float) for _, direction in forces]
+    units = [arrow / np.linalg.norm(arrow) for arrow in arrows]
     assert max(unit @ [0, -1] for unit in units) == pytest.approx(1.0)
     assert max(abs(unit @ [-3, 1]) for unit in units) == pytest.approx(np.sqrt(10.0))  # the wire rises by 3 to 1
 

@@ -14,7 +14,7 @@ LEVEL = {"slope": 0.0, "gravity": 9.8}
 def test_forces_act_on_the_cylinder_at_two_points():
     cylinder = {"mass": 2.0, "radius": 1.0, "offset": 0.5, "slope": 0.3, "gravity": 10.0}
     forces = hw.free_body_diagram(np.pi / 2, **cylinder)
-    points = {tuple(np.round(point, 9)) for point, _ in forces}
+    points = {tuple(np.round(np.asarray(point, float), 9)) for point, _ in forces}
     np.testing.assert_allclose(sorted(points), [(-0.5, 0.0), (0.0, -1.0)], atol=1e-8)
     contact = [np.asarray(direction, float) for point, direction in forces if point[1] < -0.5 and direction is not None]
     assert len(contact) in (0, 2)  # one force of which nothing is known, or two that are perpendicular

@@ -17,7 +17,7 @@ numbers = partial(np.asarray, dtype=float)  # of a result, whatever kind of numb
 def test_forces_act_on_the_disk_at_two_points():
     state = np.array([1.0, 2.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0, 3.0])
     forces = hw.free_body_diagram(state, mass=2.0, radius=0.5, gravity=10.0)
-    points = {tuple(np.round(point, 9)) for point, _ in forces}
+    points = {tuple(np.round(numbers(point), 9)) for point, _ in forces}
     np.testing.assert_allclose(sorted(points), [(1.0, 2.0, 0.0), (1.0, 2.0, 0.5)], atol=1e-8)
     ground = [direction for point, direction in forces if point[2] < 0.25]
     assert len(forces) - len(ground) == 1  # the weight

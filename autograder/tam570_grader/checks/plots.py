@@ -40,9 +40,10 @@ def _told_apart(points: Array) -> Array:
 
 
 def along(line: Line, path: Array) -> Array:
-    """Return the points of a drawn line in its order; those of a scatter, which has none, in that of the path."""
+    """Return the points of a drawn line from the path's first point on; those of a scatter in the path's order."""
     if not line.scatter:
-        return line.points
+        is_reversed = abs(line.points[[-1, 0]] - path[[0, -1]]).sum() < abs(line.points[[0, -1]] - path[[0, -1]]).sum()
+        return line.points[::-1] if is_reversed else line.points
     tangents = np.gradient(path, axis=0)
     nearest = _nearest(_some(line.points, len(line.points)), _some(path, len(path)))
     beyond = np.sum((line.points - path[nearest]) * tangents[nearest], axis=1)
@@ -96,7 +97,7 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     own_paths: Callable[[], Iterable[ArrayLike]] = tuple,
     near_miss_credit: bool = True,
 ) -> None:
-    """Fail unless a line is the path, from its first point to its last and in its order.
+    """Fail unless a line is the path from end to end, in its order or from its last point to its first.
 
     tolerance : largest distance of the line's points from the path, relative to the path's extent
     fewer  : factor on the tolerance for the path's points, because the line may have fewer points

@@ -96,7 +96,7 @@ def plot_rim_paths(ax, t, R, omega, *, inertia, radius):
     _, rotations = simulate(t[::10], R, omega, inertia=inertia)
     for point in ([0, radius, 0], [radius, 0, 0]):
         places = rotations @ np.array(point)
-        ax.plot(places[:, 1], places[:, 2])
+        ax.plot(places[::-1, 1], places[::-1, 2])
     ax.set_aspect("equal")
     ax.set_xlabel("y (m)")
     ax.set_ylabel("z (m)")
