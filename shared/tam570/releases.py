@@ -81,7 +81,12 @@ def _signatures(mine: Path, slug: str) -> list[str]:
 
 
 def _copy(path: Path, work: Path) -> None:
-    shutil.copyfile(path, work / path.name)
+    draft = work / f"{path.name}.part"  # on a full disk, the file would be empty and count as the student's
+    try:
+        shutil.copyfile(path, draft)
+        draft.replace(work / path.name)
+    finally:
+        draft.unlink(missing_ok=True)
     copied = record(work / RECORD) | {path.name: digest(path)}
     (work / RECORD).write_text(json.dumps(copied, indent=1), encoding="utf-8")
 

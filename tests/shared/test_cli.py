@@ -1,7 +1,10 @@
 """The students' command: list, start, hint, handin, update, bad usage, imports, and where it finds work."""
 
+import errno
+import os
 import shutil
 import zipfile
+from pathlib import Path
 
 import pytest
 from classes import notebook
@@ -40,6 +43,16 @@ def test_start_gives_the_problem_the_stub_and_the_tests_and_overwrites_nothing(h
     (stub.parent / "README.md").unlink()
     assert cli.main(["start", "hw08"]) == 0
     assert stub.read_text() == "my work" and (stub.parent / "README.md").exists()
+
+
+def test_start_on_a_full_disk_leaves_no_part_of_a_file(here, monkeypatch, capsys):
+    def full(source, target):
+        Path(target).touch()
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(target))
+
+    monkeypatch.setattr(shutil, "copyfile", full)
+    assert cli.main(["start", "hw08"]) == 2 and "No space left" in capsys.readouterr().err
+    assert not list((here / SLUG).iterdir())
 
 
 def test_start_in_the_folder_of_an_assignment_puts_another_one_beside_it(hw08, desk, monkeypatch):
