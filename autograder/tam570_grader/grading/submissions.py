@@ -30,6 +30,7 @@ MOST_FILES = 1000  # in the folder of a student or of an assignment
 DEFINED = re.compile(rb'(?:^|"|\\n)def ', re.MULTILINE)  # a function in a module or notebook
 UNWRITTEN = re.compile(rb'["\':][\s\\n",]*raise NotImplementedError')  # after a signature or docstring
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
+FEEDBACK = "-feedback.html"  # the end of the name of a page that `watch` puts beside the work
 DEEPEST = 4  # levels of nested folders that are searched for a student's work
 MOST_NAMES = 10  # names of files listed in a message
 
@@ -291,7 +292,7 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
-    """Return the visible entries of a folder, each with whether it is a folder; BadPath if more than `most`."""
+    """Return a folder's visible entries without our pages, with whether each is a folder; BadPath if over `most`."""
     try:
         os.stat(os.path.join(folder, "."))  # a folder may be listable although its files cannot be opened
         with os.scandir(folder) as listed:
@@ -303,7 +304,8 @@ def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
         raise BadPath(f"{printable(str(folder))} cannot be read: {error.strerror}; who owns it?") from None
     if most and len(held) > most:
         raise BadPath(f"{printable(folder.name)} holds more than {most} files: hand in the module or notebook alone")
-    return [(folder / name, held[name]) for name in sorted(held) if not name.startswith((".", "__"))]
+    shown = [name for name in sorted(held) if not name.startswith((".", "__")) and not name.endswith(FEEDBACK)]
+    return [(folder / name, held[name]) for name in shown]
 
 
 def _name(text: str) -> str:

@@ -22,7 +22,7 @@ from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading import seeds, supervisor
 from tam570_grader.grading.executor import TaskExecutor, WorkerLost, run_tasks
-from tam570_grader.grading.submissions import CannotRead, Submission, of_folder, source_of, submissions
+from tam570_grader.grading.submissions import FEEDBACK, CannotRead, Submission, of_folder, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.reports import feedback
 from tam570_grader.reports.feedback import AssignmentInfo
@@ -292,7 +292,7 @@ class Watcher:
             if self.is_exchange:
                 self._release(origin if origin.is_dir() else origin.parent, key[1], page)
             elif origin.parent.is_dir() and not origin.is_dir():
-                write_in(origin.parent, f"{origin.name.split('.')[0]}-feedback.html", page)
+                write_in(origin.parent, f"{origin.name.split('.')[0]}{FEEDBACK}", page)
         except OSError as error:
             warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages / key[0]}")
 

@@ -62,6 +62,11 @@ def test_each_attempt_has_its_own_inputs_and_the_best_counts(watch, hand_in, tmp
     assert "ben" in (tmp_path / "results" / "status.html").read_text()
 
 
+def test_our_page_beside_a_file_that_cannot_be_read_is_no_attempt(watch, tmp_path):
+    classes.hand_in(tmp_path / "submitted", {"ann": b"Rar!"}, file="hw08.rar")
+    assert len(watch()) == len(watch()) == 1
+
+
 def arrival(student, at):
     return Arrival(student, SLUG, f"{student}{at}", at, "", "", "")
 
