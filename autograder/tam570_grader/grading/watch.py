@@ -22,6 +22,7 @@ from tam570_grader.course import course_config
 from tam570_grader.errors import UsageError, counted, warn
 from tam570_grader.grading import seeds, supervisor
 from tam570_grader.grading.executor import TaskExecutor, WorkerLost, run_tasks
+from tam570_grader.grading.skipped_files import skipped_files
 from tam570_grader.grading.submissions import FEEDBACK, CannotRead, Submission, of_folder, source_of, submissions
 from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
 from tam570_grader.reports import feedback
@@ -170,6 +171,11 @@ class Watcher:
         for key in self.queue.graded:  # an earlier run may have been killed between a result and its page
             self.store.add(self.queue.counting(key)["record"])
             self.hand_back(self.queue.graded[key][-1])
+        work: list[Submission] = []
+        with contextlib.suppress(UsageError):  # the folder contains no submission yet
+            work = submissions([self.source], self.slugs, self.slug)
+        for sentence in () if self.is_exchange else skipped_files([self.source], work, self.slugs):
+            warn(sentence)
         if not self.once:
             self.start_workers()
         for _ in self.ticks():

@@ -67,6 +67,13 @@ def test_our_page_beside_a_file_that_cannot_be_read_is_no_attempt(watch, tmp_pat
     assert len(watch()) == len(watch()) == 1
 
 
+def test_a_file_that_tells_no_assignment_is_warned_of(watch, hand_in, tmp_path, capsys):
+    hand_in("ann")
+    classes.hand_in(tmp_path / "submitted", {"ben": "x"}, file="work.py")
+    watch()
+    assert "submitted/ben (it holds work.py) is not graded" in capsys.readouterr().err
+
+
 def arrival(student, at):
     return Arrival(student, SLUG, f"{student}{at}", at, "", "", "")
 
