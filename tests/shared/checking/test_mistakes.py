@@ -50,7 +50,7 @@ def test_a_known_mistake_is_named(desk, tam570, in_process, solution_text, slug,
 
 HALVES = {
     "hw04_hanging_spring": ("velocity * np.sqrt(mass / stiffness)", "velocity"),
-    HW08: ("* np.cross", "/ 2 * np.cross"),
+    HW08: ("* skew(n) @ r", "/ 2 * skew(n) @ r"),
 }
 
 
