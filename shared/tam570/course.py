@@ -71,13 +71,9 @@ def slug_of(file: Path) -> str:
         number = re.match(r"hw\d\d(?!\d)", name, re.IGNORECASE)
         for slug in assignments():
             if number and slug.startswith(f"{number[0].lower()}_"):
-                other = [
-                    slug_in_name
-                    for slug_in_name in assignments()
-                    if slug_in_name[4:] in name.lower() and slug_in_name[4:] not in slug
-                ]
-                if other:
-                    raise Unknown(f"{file.name} may be {slug} or {other[0]}; say which: --assignment {slug[:4]}")
+                others = [other for other in assignments() if other[4:] in name.lower() and other[4:] not in slug]
+                if others:
+                    raise Unknown(f"{file.name} may be {slug} or {others[0]}; say which: --assignment {slug[:4]}")
                 return slug
     raise Unknown(
         f"the name of {file.name} does not tell which assignment it is; say so: --assignment hw07, for example"

@@ -3,7 +3,7 @@
 import functools
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
@@ -71,14 +71,14 @@ class Functions:
             arguments = CallArguments(args, kwargs)
             if self.depth:  # in a call by another of the student's functions
                 return self._repaired(name, arguments, function(*args, **kwargs))
-            if self.mistake is None or self.mistake.function != name:
-                return self._result(name, function, arguments)
-            if self.mistake.repair is None:
-                with tightened(vars(self.module)):
-                    return self._result(name, function, arguments)
-            return self._repaired(name, arguments, self._result(name, function, arguments))
+            with tightened(vars(self.module)) if self._is_tight(name) else nullcontext():
+                return self._repaired(name, arguments, self._result(name, function, arguments))
 
         return wrapper
+
+    def _is_tight(self, name: str) -> bool:
+        """Return whether the mistake that is being tried is that this function's tolerances are too loose."""
+        return self.mistake is not None and self.mistake.function == name and self.mistake.repair is None
 
     def _repaired(self, name: str, arguments: CallArguments, result: Numbers) -> Numbers:
         """Return the result, repaired if a mistake of this function is being tried."""
@@ -114,8 +114,7 @@ class Functions:
 
         Raise Fault if it has not the form of the contract.
         """
-        tight = self.mistake is not None and self.mistake.repair is None and self.mistake.function == name
-        key = (name, tight, _contents(arguments))
+        key = (name, self._is_tight(name), _contents(arguments))
         if self.everywhere:  # results change with repairs inside the call
             return self._called(name, function, arguments)
         if self.mistake is None or key not in self.cache:

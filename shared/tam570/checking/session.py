@@ -221,10 +221,9 @@ def _untouched(file: Path, released: Mapping[str, Stub]) -> list[str]:
     """Return the functions to be written if none of them is written and none is added; else an empty list."""
     with contextlib.suppress(SyntaxError, ValueError):
         written = stubs(file.read_bytes())
-        if {name: stub.written for name, stub in written.items()} == {
-            name: stub.written for name, stub in released.items()
-        }:
-            return [name for name, stub in released.items() if not stub.written]
+        to_write = [name for name, stub in released.items() if not stub.written]
+        if written.keys() == released.keys() and to_write == [name for name in released if not written[name].written]:
+            return to_write
     return []
 
 
@@ -251,9 +250,7 @@ def _explained(
             and name in used.get(test, ())
             and (name in wrong or not wrong & uses(code, used[test]))
         ]
-        alone = [
-            test for test, functions in used.items() if functions == {name} and outcomes.passed.get(test) == PASSED
-        ]
+        alone = [test for test, names in used.items() if names == {name} and outcomes.passed.get(test) == PASSED]
         # The mistake must explain all of these: in them only the test calls the function, not the student's code.
         its_own = {test for test in failed if causes[test] == name not in uses(code, used[test] - {name})}
         best: list[str] = []

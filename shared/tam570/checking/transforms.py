@@ -110,9 +110,7 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
     vary    : whether parameters differ between calls, so that a constant factor cannot depend on them
     """
     results, expected = parts(example.result), parts(example.expected)
-    numbers: dict[str, int | None] = {
-        key: None for key in _numbers(reference, example.case) if key in example.case.kwargs
-    }
+    numbers = {key: position for key, position in _numbers(reference, example.case).items() if position is None}
     for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
         changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
         if vary and which < len(expected):
@@ -277,10 +275,8 @@ def _other_factors(name: str, reference: Function, example: Compared) -> Iterato
     for (which, label), key in product(enumerate(_labels(name, len(results))), angles):
         for function, (words, power) in product((np.cos, np.sin), {"too many": 1, "too few": -1}.items()):
             change = partial(_times_function, reference, function, key, power)
-            yield (
-                f"{label} has a factor {function.__name__}({key}) {words}",
-                partial(_with_result, which, len(results), change),
-            )
+            message = f"{label} has a factor {function.__name__}({key}) {words}"
+            yield message, partial(_with_result, which, len(results), change)
 
 
 def _times_function(
@@ -360,9 +356,8 @@ def _changes(
             reversed_ = partial(_changed, partial(np.multiply, [(-1.0) ** (i in (j, k)) for i in range(len(result))]))
             yield f"has the opposite sign in components {j + 1} and {k + 1}", reversed_, reversed_
     for axis, what in enumerate(AXES.get(result.ndim, ())):
-        for k, (words, factor) in product(
-            range(result.shape[axis] if result.shape[axis] <= MOST else 0), PARTS.items()
-        ):
+        count = result.shape[axis]
+        for k, (words, factor) in product(range(count if count <= MOST else 0), PARTS.items()):
             change, undo = (partial(_changed, partial(_scaled_part, k, axis, power)) for power in (factor, 1 / factor))
             yield f"{words} in {what} {k + 1}", change, undo
 
@@ -412,10 +407,8 @@ def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
             order[[j, k]] = k, j
             yield f"has {what}s {j + 1} and {k + 1} exchanged", partial(np.take, indices=order, axis=axis)
         if count > 2 and not count % 2:
-            yield (
-                f"has its first and last {count // 2} {what}s exchanged",
-                partial(np.roll, shift=count // 2, axis=axis),
-            )
+            half = count // 2
+            yield f"has its first and last {half} {what}s exchanged", partial(np.roll, shift=half, axis=axis)
 
 
 def _scaled_part(which: int, axis: int, factor: float, value: Numbers) -> Numbers:

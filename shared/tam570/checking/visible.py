@@ -18,7 +18,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
 from io import StringIO
 from pathlib import Path
-from types import ModuleType
+from types import FunctionType, ModuleType
 
 from tam570.checking.functions import Fault, Functions
 from tam570.loading import said
@@ -117,16 +117,14 @@ def collect_tests(path: Path, text: str, names: Parameters | None = None) -> lis
     tree = ast.fix_missing_locations(_ReportingAsserts().visit(ast.parse(text)))
     vars(module).update({COMPARE: _compare, HOLDS: _holds, ALLCLOSE: _allclose, **(names or {})})
     exec(compile(tree, str(path), "exec", dont_inherit=True), vars(module))
-    functions = [
-        value for name, value in vars(module).items() if name.startswith("test_") and inspect.isfunction(value)
-    ]
-    return [test for function in functions for test in _with_parameters(function.__name__, function)]
+    members = [member for name, member in vars(module).items() if name.startswith("test_")]
+    return [test for member in members if inspect.isfunction(member) for test in _with_parameters(member)]
 
 
-def _with_parameters(name: str, function: Callable[..., object]) -> Iterator[Test]:
+def _with_parameters(function: FunctionType) -> Iterator[Test]:
     """Yield a test for each combination of its parameters."""
-    marks = [pytest_mark for pytest_mark in getattr(function, "pytestmark", ()) if pytest_mark.name == "parametrize"]
-    cases = [list(_cases(*pytest_mark.args[:2])) for pytest_mark in marks]
+    name, marks = function.__name__, getattr(function, "pytestmark", ())
+    cases = [list(_cases(*mark.args[:2])) for mark in marks if mark.name == "parametrize"]
     for combination in itertools.product(*cases):
         values = {key: value for case, _ in combination for key, value in case.items()}
         suffix = "-".join(label for _, label in combination)
@@ -140,11 +138,11 @@ def _cases(names: str | Sequence[str], values: Sequence[Numbers]) -> Iterator[tu
     keys = [name.strip() for name in names.split(",")] if isinstance(names, str) else list(names)
     for index, value in enumerate(values):
         members = value.values if hasattr(value, "marks") else value if len(keys) > 1 else [value]  # of pytest.param
-        plain = [isinstance(member, str | int | float) for member in members]
+        case = dict(zip(keys, members, strict=True))
         labels = [
-            str(member) if simple else f"{key}{index}" for key, member, simple in zip(keys, members, plain, strict=True)
+            str(member) if isinstance(member, str | int | float) else f"{key}{index}" for key, member in case.items()
         ]
-        yield dict(zip(keys, members, strict=True)), "-".join(labels)
+        yield case, "-".join(labels)
 
 
 def _needs_pytest(fixture: str) -> None:
@@ -274,9 +272,8 @@ def _place(index: Sequence[Numbers]) -> str:
 
 def _line(error: BaseException) -> str:
     """Return the last statement of a test that led to an error, on one line."""
-    frames = [
-        frame for frame in traceback.extract_tb(error.__traceback__) if Path(frame.filename).name.startswith("test_")
-    ]
+    trace = traceback.extract_tb(error.__traceback__)
+    frames = [frame for frame in trace if Path(frame.filename).name.startswith("test_")]
     if not frames or (frames[-1].line or "").startswith("_example("):
         return ""
     first, last = frames[-1].lineno or 0, frames[-1].end_lineno or 0
