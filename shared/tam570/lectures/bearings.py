@@ -48,6 +48,7 @@ def film(parameters: Parameters) -> Scene:
     if spin_rate:
         # Across the axis M has the size sqrt(Ixz^2 + Iyz^2) sqrt(spin_rate^2 + spin^4) at every angle.
         across = across / np.hypot(spin_rate, speeds**2)
+    drift = drift_caption(across, about="size of the moment for it: ")
     curves = dict(zip("xyz", in_space.T, strict=True))
     return Scene(
         "Bearings",
@@ -60,9 +61,7 @@ def film(parameters: Parameters) -> Scene:
         ],
         [
             value_plot("moment on the unbalanced body, in space", times, curves, "N m"),
-            value_plot(
-                "spin", times, {"": speeds}, "rad/s", *drift_caption(across, about="size of the moment for it: ")
-            ),
+            value_plot("spin", times, {"": speeds}, "rad/s", *drift),
         ],
         view=(0.6, 0.35),
         still_time=0.3,

@@ -105,6 +105,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
     H, omega = (in_space(rotations, vectors) for vectors in (moments * turning, turning))
     both = {"rotations": H, "nine numbers": values(angular_momentum, states, **parameters)}
     changes = {name: np.linalg.norm(momenta - momenta[0], axis=1) for name, momenta in both.items()}
+    drift = drift_caption(H, about="by rotations: ")
     text = f"at the end {defects['nine numbers'][-1]:.1e}, and {defects['rotations'][-1]:.0e} by rotations"
     return Scene(
         "Drifting matrix",
@@ -117,9 +118,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         ],
         [
             value_plot("RᵀR - I, largest element", times, defects, "", text),
-            value_plot(
-                "angular momentum, change", times, changes, "kg m²/s", *drift_caption(H, about="by rotations: ")
-            ),
+            value_plot("angular momentum, change", times, changes, "kg m²/s", *drift),
         ],
         still_time=1.0,
         live=live_body(rates, energy, parameters, start, in_body=False),

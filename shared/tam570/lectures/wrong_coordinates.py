@@ -83,6 +83,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         panels.append(Panel(shapes, name, ruler=False))
     across = {name: np.degrees(np.arccos(np.clip(H @ first / scale**2, -1.0, 1.0))) for name, H in momenta.items()}
     energies = {name: values(energy, states, **parameters) for name, states in both.items()}
+    drift = drift_caption(energies, about="energy: ")
     spins = {name: states[:, 11] for name, states in both.items()}
     return Scene(
         "Wrong coordinates",
@@ -92,9 +93,7 @@ def film(parameters: Parameters, start: Sequence[float], seconds: float) -> Scen
         panels,
         [
             value_plot("angular momentum from where it was", times, across, "°"),
-            value_plot(
-                "spin about the body's third axis", times, spins, "rad/s", *drift_caption(energies, about="energy: ")
-            ),
+            value_plot("spin about the body's third axis", times, spins, "rad/s", *drift),
         ],
         still_time=0.35,
         live=live_body(rates, energy, parameters, start, in_body=True),

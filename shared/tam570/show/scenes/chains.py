@@ -47,6 +47,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
         pouring += _upright(shift, length - falls[name], falls[name] / length, length, color, "")
         pressed = 0.3 * length / most * np.minimum(readings[name], most)
         pouring.append(_arrow(shift, -pressed, pressed, ""))
+    folded = [*_fold(folds[0][:, 0], 0, 0.0, length), *_fold(folds[1][:, 0], 1, 3 * DISTANCE * length, length)]
     on_scale = {**readings, "weight on it": weight * falls["textbook"]}
     return Scene(
         "Chains",
@@ -54,14 +55,7 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
         "inelastically. A chain is lifted from a heap, another one falls on a scale: the force is that of the textbook "
         "or smaller, by what links that push or pull each other make of it.",
         times,
-        [
-            Panel(
-                [*_fold(folds[0][:, 0], 0, 0.0, length), *_fold(folds[1][:, 0], 1, 3 * DISTANCE * length, length)],
-                "folded",
-            ),
-            Panel(lifting, "lifted"),
-            Panel(pouring, "poured"),
-        ],
+        [Panel(folded, "folded"), Panel(lifting, "lifted"), Panel(pouring, "poured")],
         [
             _energy(times, folds[0], folds[1], parameters),
             value_plot("force that lifts", times, pulls, "N"),
@@ -126,7 +120,6 @@ def _energy(times: Array, remaining: Array, lost: Array, parameters: Mapping[str
         return density * ((length - x) * v**2 - gravity * (2 * length * x - x**2)) / 4
 
     energies = {"by energy": energy(*remaining[falling].T), "inelastic": energy(*lost[falling].T)}
-    caption = drift_caption(
-        energies["by energy"], density * gravity * length**2 / 4, "the potential energy", "by energy: "
-    )
+    scale = density * gravity * length**2 / 4
+    caption = drift_caption(energies["by energy"], scale, "the potential energy", "by energy: ")
     return value_plot("folded: energy", times[falling], energies, "J", *caption)

@@ -29,6 +29,7 @@ def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequen
     def drawing(states: Array, parameters: Mapping[str, float]) -> list[Shape]:
         return _table(states, np.zeros(len(states)), rim, spring=True)
 
+    table, plane = _table(seen, 0.0 * times, rim, spring), np.degrees(frames.foucault(times, **EARTH))
     return Scene(
         "Turntable and Foucault's pendulum",
         "A particle slides over a turntable. Seen from space it runs on an ellipse or a straight line. Seen from the "
@@ -36,18 +37,13 @@ def film(frames: SimpleNamespace, parameters: Mapping[str, float], start: Sequen
         "pendulum turns against the Earth's rotation.",
         times,
         [
-            Panel(
-                [*_table(seen, 0.0 * times, rim, spring), *_forces(frames, seen, parameters, rim)],
-                "seen from the turntable",
-            ),
+            Panel([*table, *_forces(frames, seen, parameters, rim)], "seen from the turntable"),
             Panel(_table(space, parameters["spin"] * times, rim, spring), "seen from space"),
             Panel(_pendulum(frames, times), "Foucault's pendulum, from above", ruler=False),
         ],
         [
             _energies(frames, times, seen, parameters),
-            value_plot(
-                "Foucault: angle of the plane", times, {"": np.degrees(frames.foucault(times, **EARTH))}, "degrees"
-            ),
+            value_plot("Foucault: angle of the plane", times, {"": plane}, "degrees"),
         ],
         still_time=0.4,
         live=Live(frames.rates, parameters, start, drawing, [drag(0, 2)], measures),

@@ -106,7 +106,6 @@ def _differences(student: StudentModule, definition: str, times: Array, mass: fl
     def momentum(shift: float) -> Array:
         r_p, v_p, _ = _moves(P, times + shift)
         r_c, v_c, _ = _moves(C, times + (0.0 if definition == "a" else shift))
-        moments = student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=mass)
-        return moments
+        return student.each("angular_momentum", [definition] * len(times), r_p, v_p, r_c, v_c, mass=mass)
 
     return (momentum(STEP) - momentum(-STEP)) / (2 * STEP)

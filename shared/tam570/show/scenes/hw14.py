@@ -102,8 +102,6 @@ def _tilt(student: StudentModule, times: Array, states_by_angles: Array, frame: 
     """Plot the tilt; the caption compares the centre by matrices with that by Euler angles, middle of a diameter."""
     first = student("matrix_state", states_by_angles[0], radius=disk["radius"])
     states = student("simulate_matrix", times, first, **disk)
-    off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1)
-    caption = gap_caption(
-        float(off.max()) / disk["radius"], LARGE, " of the radius", "by matrices and by Euler angles: "
-    )
+    off = np.linalg.norm(states[:, :3] - frame[:, -1].mean(axis=1), axis=1) / disk["radius"]
+    caption = gap_caption(float(off.max()), LARGE, " of the radius", "by matrices and by Euler angles: ")
     return value_plot("tilt", times, {"": np.degrees(states_by_angles[:, 3])}, "°", *caption)

@@ -38,9 +38,7 @@ def _tops(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Sequ
     except ValueError:  # too slow a spin
         rates, title = [], "too slow for steady precession"
     steadily = [motion((0.0, tilt, 0.0, W, 0.0, spin - W * np.cos(tilt))) for W in rates]
-    precessing = [
-        part for color, states in enumerate(steadily) for part in _top(states, color, ("slow", "fast")[color])
-    ]
+    precessing = [part for i, states in enumerate(steadily) for part in _top(states, i, ("slow", "fast")[i])]
     constants = {name: values(constant, free, **parameters) for name, constant in lecture.INVARIANTS.items()}
     changes = {name: sizes / (abs(sizes[0]) or 1.0) for name, sizes in constants.items()}
     drift = drift_caption(changes, 1.0, "energy and both momenta")
