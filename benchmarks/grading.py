@@ -14,6 +14,7 @@ import collections
 import contextlib
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -222,9 +223,7 @@ def _notebook(path, slug):
     solution = work(slug).read_text()
     tests = (COURSE / "assignments" / slug / f"test_{slug}.py").read_text()
     plain = tests.replace(f"import {slug} as hw", "import types\nhw = types.SimpleNamespace(**globals())")
-    calls = "\n".join(
-        f"{line[4:].split('(')[0]}()" for line in tests.splitlines() if line.startswith("def test_") and "()" in line
-    )
+    calls = "\n".join(re.findall(r"^def (test_\w+\(\))", tests, re.MULTILINE))
     meta = {"schema_version": 3, "grade": False, "locked": False, "solution": True, "task": False, "grade_id": "work"}
     lock = {**meta, "grade": True, "locked": True, "solution": False, "grade_id": "tests", "points": 10}
     cells = [

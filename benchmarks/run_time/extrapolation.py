@@ -3,12 +3,8 @@
 Hairer, Norsett and Wanner, Solving Ordinary Differential Equations I, section II.9.
 """
 
-import functools
-
 import mpmath
-
-from tam570.integrate.formulas import written
-from tam570.integrate.trace import traced
+from run_time.scenes import formulas_of
 
 DIGITS, COLUMNS = 50, 16  # extrapolation amplifies rounding
 TOLERANCE = mpmath.mpf(10) ** -34  # of a step, relative to the state
@@ -17,8 +13,8 @@ FUNCTIONS = {name: getattr(mpmath, name) for name in ("sin", "cos", "exp", "sqrt
 
 def end_state(scene):
     """Return (k,) mpf, the state at the end of the scene; the scene's floats are taken as exact."""
-    rhs, start, parameters, end = scene
-    formulas, constants = written(traced(functools.partial(rhs, **parameters), len(start)))
+    _, start, _, end = scene
+    formulas, constants = formulas_of(scene)
     code = compile("\n".join([*formulas.lines, f"rates = [{', '.join(formulas.rates)}]"]), "<rates>", "exec")
     with mpmath.workdps(DIGITS):
         names = {**FUNCTIONS, **{f"c{i}": mpmath.mpf(c) for i, c in enumerate(constants)}}

@@ -8,6 +8,7 @@ import importlib.util
 import math
 
 import numpy as np
+from run_time.scenes import formulas_of
 
 from tam570.integrate import prepared, solve
 
@@ -66,8 +67,8 @@ def cyrk(scene, tolerance):
     """Use CyRK's numba interface, with the right-hand side as a callback in C."""
     from CyRK.nb.numba_solver import nbsolve2_ivp
 
-    rhs, start, parameters, end = scene
-    address = _by_numba(rhs, parameters, len(start)).address
+    _, start, _, end = scene
+    address = _by_numba(scene).address
     start_array = np.array(start)
 
     def states():
@@ -79,13 +80,10 @@ def cyrk(scene, tolerance):
     return states
 
 
-def _by_numba(rhs, parameters, size):
+def _by_numba(scene):
     """Compile the traced right-hand side with numba, once for each problem, as CyRK's manual advises."""
-    from tam570.integrate.formulas import written
-    from tam570.integrate.trace import traced
-
-    formulas, constants = written(traced(functools.partial(rhs, **parameters), size))
-    lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + [f"s{i} = y[{i}]" for i in range(size)]
+    formulas, constants = formulas_of(scene)
+    lines = [f"c{i} = {c!r}" for i, c in enumerate(constants)] + [f"s{i} = y[{i}]" for i in range(len(scene[1]))]
     lines += [*formulas.lines, *(f"dy[{i}] = {rate}" for i, rate in enumerate(formulas.rates))]
     return _compiled("def rates(dy, t, y, args):\n    " + "\n    ".join(lines))
 
@@ -103,12 +101,8 @@ def _by_heyoka(scene):
     """Return pairs of variables and rates, as heyoka's integrators take them."""
     import heyoka as hy
 
-    from tam570.integrate.formulas import written
-    from tam570.integrate.trace import traced
-
-    rhs, start, parameters, _ = scene
-    state = [hy.make_vars(f"s{i}") for i in range(len(start))]
-    formulas, constants = written(traced(functools.partial(rhs, **parameters), len(start)))
+    state = [hy.make_vars(f"s{i}") for i in range(len(scene[1]))]
+    formulas, constants = formulas_of(scene)
     names = {name: getattr(hy, name) for name in ("sin", "cos", "sqrt", "exp")}
     names |= {"t": hy.time, "hypot": lambda a, b: hy.sqrt(a * a + b * b)}
     names |= {f"s{i}": s for i, s in enumerate(state)} | {f"c{i}": c for i, c in enumerate(constants)}

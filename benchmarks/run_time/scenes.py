@@ -2,12 +2,15 @@
 
 import importlib.util
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 from run_time import lectures, literature, public
 
 import tam570.integrate
+from tam570.integrate.formulas import written
+from tam570.integrate.trace import traced
 
 SOLUTIONS = Path(__file__).parents[2] / "solutions"
 
@@ -127,3 +130,9 @@ def scene(name):
         return lectures.PROBLEMS[name]
     rhs, start, end = OTHERS[name]
     return rhs, start, {}, end
+
+
+def formulas_of(scene):
+    """Return the traced right-hand side of a scene as formulas, and their constants."""
+    rhs, start, parameters, _ = scene
+    return written(traced(partial(rhs, **parameters), len(start)))
