@@ -25,10 +25,8 @@ def film(lecture: SimpleNamespace, parameters: Parameters, start: Sequence[float
     """
     times, equations = frame_times(seconds), (lecture.rates, lecture.wrong_rates)
     correct, wrong = (solve(rates, times, start, parameters=parameters, rtol=1e-9) for rates in equations)
-    totals = {
-        f"{name} equations": values(lecture.energy, states, **parameters)
-        for name, states in (("right", correct), ("wrong", wrong))
-    }
+    motions = {"right equations": correct, "wrong equations": wrong}
+    totals = {name: values(lecture.energy, states, **parameters) for name, states in motions.items()}
     scale = float(np.abs(totals["right equations"]).max())
     drift = drift_caption(totals["right equations"], scale, "itself, by the right")
     handles = rod_handles(2, lambda parameters: parameters["lengths"])

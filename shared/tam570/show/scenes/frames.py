@@ -66,10 +66,8 @@ def _table(states: Array, turned: Array, rim: float, spring: bool) -> list[Shape
 
 def _forces(frames: SimpleNamespace, seen: Array, parameters: Mapping[str, float], rim: float) -> list[Shape]:
     """Return the inertial forces, which exist only in the frame of the turntable."""
-    forces = {
-        name: np.array([force(state, **parameters) for state in seen])
-        for name, force in (("Coriolis", frames.coriolis), ("centrifugal", frames.centrifugal))
-    }
+    both = {"Coriolis": frames.coriolis, "centrifugal": frames.centrifugal}
+    forces = {name: np.array([force(state, **parameters) for state in seen]) for name, force in both.items()}
     unit = 0.6 * rim / (max(float(np.linalg.norm(force, axis=1).max()) for force in forces.values()) or 1.0)  # m/N
     return [
         arrow(seen[:, :2], unit * force, color, name)

@@ -63,8 +63,6 @@ def _axis(student: StudentModule, R: Array) -> Shape:
 def _angles(times: Array, turned: dict[str, Array]) -> TimePlot:
     largest = float(rotation_defect([*turned.values()]).max())
     caption = gap_caption(largest, LARGE, about="RᵀR - I is ", warning="not zero: ")
-    angles = {
-        title[:3]: np.degrees(np.arccos(np.clip((np.trace(R, axis1=1, axis2=2) - 1) / 2, -1.0, 1.0)))
-        for title, R in turned.items()
-    }
+    cosines = {title[:3]: (np.trace(R, axis1=1, axis2=2) - 1) / 2 for title, R in turned.items()}
+    angles = {name: np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))) for name, cosine in cosines.items()}
     return value_plot("angle of the one turn that does the same", times, angles, "°", *caption)

@@ -147,14 +147,10 @@ def _meeting(energy: float, momentum: float, inertia: Array) -> list[Array]:
 def _sphere() -> list[Array]:
     """Return circles of latitude and longitude on the unit sphere."""
     u = np.linspace(0.0, 2.0 * np.pi, 49)
-    meridians = [(u, a) for a in np.arange(6) * np.pi / 6]
-    parallels = [(a, u) for a in np.arange(5, 0, -1) * np.pi / 6]
-    return [
-        np.column_stack(
-            np.broadcast_arrays(np.sin(down) * np.cos(round_z), np.sin(down) * np.sin(round_z), np.cos(down))
-        )
-        for down, round_z in meridians + parallels
-    ]
+    lines = [(u, a) for a in np.arange(6) * np.pi / 6]  # angles from z, and about it
+    lines += [(a, u) for a in np.arange(5, 0, -1) * np.pi / 6]
+    points = [(np.sin(down) * np.cos(turn), np.sin(down) * np.sin(turn), np.cos(down)) for down, turn in lines]
+    return [np.column_stack(np.broadcast_arrays(*xyz)) for xyz in points]
 
 
 def _disk(student: StudentModule, times: Array) -> Panel:

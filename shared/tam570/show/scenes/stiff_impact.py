@@ -73,9 +73,7 @@ def _pushes(lecture: SimpleNamespace, parameters: Mapping[str, float], speed: fl
         k = times * parameters["stiffness"]
         _, duration = lecture.rebound(k, mass=mass, speed=speed, gravity=gravity)
         t = np.linspace(0.0, duration, 60)
-        states = solve(
-            lecture.rates, t, [0.0, -speed], parameters={"mass": mass, "stiffness": k, "gravity": gravity}, rtol=1e-9
-        )
+        states = solve(lecture.rates, t, [0.0, -speed], parameters={**parameters, "stiffness": k}, rtol=1e-9)
         curves.append((t, k * np.maximum(-states[:, 0], 0.0), k))
     axes, to_points = graph([0.0, curves[0][0][-1]], [0.0, curves[-1][1].max()], ("t", "push"))
     labels = [
