@@ -160,10 +160,8 @@ def _integrate(
     while True:
         stop = engine.next_break(t, float(times[0]), end)
         through = max(row, int(np.searchsorted(times, stop, side="right")))
-        samples = np.concatenate(
-            [[t], times[row:through], [stop] if through == row or times[through - 1] != stop else []]
-        )
-        run = start_run(engine, samples, y, control, estimate)
+        ends = [] if through > row and times[through - 1] == stop else [stop]
+        run = start_run(engine, np.concatenate([[t], times[row:through], ends]), y, control, estimate)
         _run_stretch(run, how, a)
         last = run.last
         if last.halt == SETS_IN:

@@ -39,7 +39,7 @@ from numpy.typing import ArrayLike
 from tam570.integrate import adaptive, compiled_cache
 from tam570.integrate.arguments import Array, checked, positive
 from tam570.integrate.compiled_cache import compile_run
-from tam570.integrate.engine import Engine, Mistraced, engine
+from tam570.integrate.engine import Mistraced, engine
 from tam570.integrate.rates import RhsError
 from tam570.integrate.watch import COMPILED
 from tam570.values import Function, Numbers, Parameters
@@ -172,7 +172,16 @@ def solve(
             from tam570.integrate.events import motion
 
             return motion(run_engine, times, start, control, events, parameters, dense, method)
-        return _states(run_engine, times, start, control, method, step, slot)
+        if method in FIXED_STEP:
+            from tam570.integrate import fixed_step
+
+            return fixed_step.states(method, run_engine, times, start, control, step)
+        if start.ndim == 2:
+            return adaptive.ensemble(run_engine, times, start, method, control)
+        solution = adaptive.integrate(run_engine, times, start, method, control)
+        if slot is not None and solution.engine == "compiled":
+            compiled_cache.keep(slot, run_engine, times, control)
+        return solution.rows
 
     with np.errstate(all="ignore"):  # a step that is too long may overflow; it is repeated
         try:
@@ -181,27 +190,6 @@ def solve(
             return run(may_trace=False)
         except RhsError as error:
             raise ValueError(str(error)) from None
-
-
-def _states(
-    run_engine: Engine,
-    times: Array,
-    start: Array,
-    control: adaptive.Control,
-    method: str,
-    step: float | None,
-    slot: compiled_cache.Slot | None,
-) -> Array:
-    if method in FIXED_STEP:
-        from tam570.integrate import fixed_step
-
-        return fixed_step.states(method, run_engine, times, start, control, step)
-    if start.ndim == 2:
-        return adaptive.ensemble(run_engine, times, start, method, control)
-    solution = adaptive.integrate(run_engine, times, start, method, control)
-    if slot is not None and solution.engine == "compiled":
-        compiled_cache.keep(slot, run_engine, times, control)
-    return solution.rows
 
 
 def _check_method(method: str, *, several: bool, projected: bool, stepped: bool, more: bool) -> None:

@@ -121,12 +121,15 @@ class Coefficients(Writer):
     def fetch(self, row: int, index: str | int) -> str:
         return self.emit(self.ir_type, f"load {self.ir_type}, ptr {self.address(row, index)}, align 8").text
 
+    def intrinsic(self, name: str, *arguments: str) -> str:
+        """Return the result of LLVM's function of this name on scalars or vectors."""
+        listed = ", ".join(f"{self.ir_type} {a}" for a in arguments)
+        return self.emit(self.ir_type, f"call {self.ir_type} @llvm.{name}.{self.suffix}({listed})").text
+
     def function(self, name: str, arguments: list[str]) -> str:
         """Return name(*arguments), lane by lane."""
         if name == "sqrt":
-            return self.emit(
-                self.ir_type, f"call {self.ir_type} @llvm.sqrt.{self.suffix}({self.ir_type} {arguments[0]})"
-            ).text
+            return self.intrinsic("sqrt", *arguments)
 
         def call(numbers: list[str]) -> str:  # marked as pure, so that LLVM can merge sin and cos of a number
             listed = ", ".join(f"double {x}" for x in numbers)
@@ -165,7 +168,7 @@ class Coefficients(Writer):
         return self.op(name, values_of[0], values_of[-1])
 
     def size(self, a: str) -> str:
-        return self.emit(self.ir_type, f"call {self.ir_type} @llvm.fabs.{self.suffix}({self.ir_type} {a})").text
+        return self.intrinsic("fabs", a)
 
     def bounds(self) -> dict[int, str]:
         """Return running error bounds of the coefficients of order 0: propagated bounds plus new rounding errors."""
@@ -174,9 +177,8 @@ class Coefficients(Writer):
         for i, r in enumerate(self.laws.series):
             bound = zero
             if r.rule != "neg":
-                bound = self.op(
-                    "mul", self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF), self.size(self.first[i])
-                )
+                roundoff = self.constant(2 * UNIT_ROUNDOFF if r.value else UNIT_ROUNDOFF)
+                bound = self.op("mul", roundoff, self.size(self.first[i]))
             for factor, j in self.sensitivities(i, r):
                 part = bounds[j] if not factor else self.op("mul", factor, bounds[j])
                 bound = self.op("add", bound, part)
@@ -342,22 +344,14 @@ class Coefficients(Writer):
     def reach(self, slots: list[str], exponents: list[int]) -> str:
         """Return the longest step in which each exponent changes by at most half of itself or REACH."""
         single = self.constant(1.0)
-        self.orders(
-            Order("1", single, single),
-            slots,
-            [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.laws.series)],
-        )
+        sums = [[self.constant(0.0)] * len(sums_of(i, r)) for i, r in enumerate(self.laws.series)]
+        self.orders(Order("1", single, single), slots, sums)
         longest = self.constant(math.inf)
         for i in exponents:
             half = self.op("mul", self.constant(0.5), self.size(self.first[i]))
-            allowed = self.extreme_of("maxnum", half, self.constant(REACH))
-            longest = self.extreme_of("minnum", longest, self.op("div", allowed, self.size(self.now[i])))
+            allowed = self.intrinsic("maxnum", half, self.constant(REACH))
+            longest = self.intrinsic("minnum", longest, self.op("div", allowed, self.size(self.now[i])))
         return longest
-
-    def extreme_of(self, name: str, a: str, b: str) -> str:
-        return self.emit(
-            self.ir_type, f"call {self.ir_type} @llvm.{name}.{self.suffix}({self.ir_type} {a}, {self.ir_type} {b})"
-        ).text
 
     def order(self, n: str, *, may_be_third: bool) -> Order:
         exact = self.emit("double", f"sitofp i64 {n} to double").text
