@@ -30,6 +30,7 @@ MOST_FILES = 1000  # in the folder of a student or of an assignment
 DEFINED = re.compile(rb'(?:^|"|\\n)def ', re.MULTILINE)  # a function in a module or notebook
 UNWRITTEN = re.compile(rb'["\':][\s\\n",]*raise NotImplementedError')  # after a signature or docstring
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
+HANDIN = "_handin"  # the end of the name of an archive of `tam570 handin`
 FEEDBACK = "-feedback.html"  # the end of the name of a page that `watch` puts beside the work
 DEEPEST = 4  # levels of nested folders that are searched for a student's work
 MOST_NAMES = 10  # names of files listed in a message
@@ -200,7 +201,7 @@ def _of_file(path: Path, slugs: Sequence[str], chosen: str | None) -> Submission
     slug = chosen or slug_of(path.stem, slugs) or slug_of(path.absolute().parent.name, slugs)
     if slug is None:
         raise BadPath(f"cannot tell which assignment {path} is: name it with --assignment, one of {', '.join(slugs)}")
-    return Submission(_name(path.stem), slug, path, path.resolve())
+    return Submission(_name(path.stem.removesuffix(HANDIN)), slug, path, path.resolve())
 
 
 def _in_folder(folder: Path, slugs: Sequence[str], chosen: str | None, students: Collection[str]) -> list[Submission]:
@@ -221,8 +222,8 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
         slug = None if is_folder and is_class else _chosen(entry, is_folder, all_slugs, chosen)
         if slug and is_folder:
             own_folders[slug].append(entry)
-        elif slug and form(entry.name):  # a zip file beside students' folders may be the class's download
-            work.append(Submission(_name(entry.stem), slug, entry, entry))
+        elif slug and (form(entry.name) or not is_class):  # a zip file beside students' folders may be the class's
+            work.append(Submission(_name(entry.stem.removesuffix(HANDIN)), slug, entry, entry))
         elif is_folder:
             try:
                 work += _of_student(entry, all_slugs, chosen)
@@ -237,7 +238,7 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({submission.slug for submission in work})  # assignments that other students handed in
     lost = [Submission(_name(home.name), slug, None, home, why) for home, why in closed.items() for slug in slugs]
-    return _modules_first(work) + lost
+    return _best_of_each(work) + lost
 
 
 def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]) -> bool:
@@ -417,15 +418,17 @@ def _rank(submission: Submission) -> tuple[bool, bool]:
     return is_lost, submission.path is not None and is_zip(submission.path.name)
 
 
-def _modules_first(work: list[Submission]) -> list[Submission]:
-    """Return the submissions without a student's notebooks beside a module, or stub beside a notebook."""
+def _best_of_each(work: list[Submission]) -> list[Submission]:
+    """Return the submissions; of a student's module, notebook and zip file of the same name, only the best."""
 
-    def is_module(submission: Submission) -> bool:
-        return submission.path is not None and form(submission.path.name) == ".py"
+    def rank(submission: Submission) -> tuple[bool, ...]:
+        return *_rank(submission), submission.path is not None and form(submission.path.name) != ".py"
 
-    notebooks = {each.key for each in work if each.path and not is_module(each)}
-    modules = {each.key for each in work if is_module(each) and not (each.key in notebooks and _rank(each)[0])}
-    return [each for each in work if each.path is None or is_module(each) == (each.key in modules)]
+    rivals = collections.defaultdict(list)
+    for submission in work:
+        rivals[submission.key if submission.path else None].append(submission)
+    best = {key: min(map(rank, files)) for key, files in rivals.items() if key and files[1:]}
+    return [each for each in work if each.path is None or each.key not in best or rank(each) == best[each.key]]
 
 
 def _told_apart(work: list[Submission]) -> list[Submission]:

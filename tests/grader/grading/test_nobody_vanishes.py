@@ -94,6 +94,8 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
         (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}.zip"),
         (f"ada/{HW08}.py", f"ada/{HW08}/work.py"),
         ("hw08_ada.py", "hw08_ada.ipynb"),
+        ("hw08_ada.py", "hw08_ada.zip"),
+        (f"{HW08}.py", f"{HW08}_handin.zip"),
     ],
 )
 def test_work_counts_before_a_file_that_is_not_begun(tmp_path, idle, begun):

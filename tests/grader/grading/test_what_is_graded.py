@@ -36,7 +36,7 @@ def test_zip_files_are_graded_and_broken_or_huge_files_are_notes(run, tree, scor
     os.truncate(tree / "gus" / f"{HW08}_handin.zip", 2**30)
     hand_in(tree, {"cora": work}, file="{0}/handin.zip")
     (tree / "ben" / HW08 / f"{HW08}.py").unlink()
-    assert scores(run(tree / "ben" / f"{HW08}_handin.zip")[1]) == {f"{HW08}_handin": 10.0}
+    assert scores(run(tree / "ben" / f"{HW08}_handin.zip")[1]) == {HW08: 10.0}
     _, lines, _ = run(tree, "--seed", 1)
     notes = dict.fromkeys(("dan", "eve", "fay", "gus"), 0.0)
     assert scores(lines) == notes | dict.fromkeys(("ada", "ben", "cora"), 10.0)
