@@ -81,9 +81,9 @@ def motion(rng, label, turns, count, angle, rate, **fixed):
 def with_gravity(rng):
     """Return a swing, and one change at a time; motions from exact places and next to the top, also before t = 0."""
     angle, rate = rng.uniform((0.8, 0.2), (2.2, 0.6)) * rng.choice([-1, 1], 2)
-    swings = motion(rng, "a particle that swings", 1.2, 6, angle, rate)
+    swings = motion(rng, "a particle that swings", 0.8, 5, angle, rate)
     level = swings.kwargs["length"] * np.array([math.copysign(1.0, -angle), 0.0, 0.0, 0.0])
-    top = motion(rng, "a particle moving at the top, a rod of 2 cm, t[0] < 0", 0.7, 4, math.pi, -2.5, length=0.02)
+    top = motion(rng, "a particle moving at the top, a rod of 2 cm, t[0] < 0", 0.45, 4, math.pi, -2.5, length=0.02)
     return [
         swings,
         *repeated_calls(rng, swings, start=(level,), length=None),
@@ -107,7 +107,7 @@ def long(rng):
     """
     angle, rate = rng.uniform((1.1, 0.2), (1.4, 0.4)) * rng.choice([-1, 1], 2)
     case = motion(rng, "a motion of 100 s", 1, 2, angle, rate, gravity=rng.uniform(0.5, 0.7), length=rng.uniform(6, 8))
-    return [case.replace(np.linspace(0.0, 100.0, 50))]
+    return [case.replace(np.linspace(0.0, 100.0, 18))]
 
 
 def at_the_top(rng):
