@@ -108,7 +108,7 @@ def motions(rng):
     """Yield a random start at uneven times, t[0] above zero; plain ones at two or three times; and changed calls."""
     bars, origin = pendulum(rng), rng.uniform(1.5, 2.5)
     turns = 2 * math.pi * rng.permutation([1, -1])  # an angle beyond pi must not be wrapped
-    t = uneven(rng, rng.uniform(3, 4) * pace(bars), 15, origin)
+    t = uneven(rng, rng.uniform(3, 4) * pace(bars), 9, origin)
     start = rng.uniform(-2, 2, 2) + turns, rng.uniform(-1, 1, 2) / pace(bars)
     yield Case(t, *start, **bars).labelled("t[0] not 0")
     for label, (theta, omega, fixed, count) in STARTS.items():
@@ -122,14 +122,14 @@ def motions(rng):
 
 def from_horizontal(rng):
     bars = pendulum(rng, masses=rng.uniform(0.5, 2.0, 2), lengths=rng.uniform(2.5, 4.0, 2), gravity=9.81)
-    t = uneven(rng, 10.0, 41, 0.0)
+    t = uneven(rng, 10.0, 13, 0.0)
     return [Case(t, np.full(2, RIGHT_ANGLE), np.zeros(2), **bars).labelled("a start at rest, both bars horizontal")]
 
 
 def weightless(rng):
     """Return a motion, and rest, without gravity."""
     (case,) = thrown(rng, 1, gravity=0.0)
-    moves = case.with_leading(uneven(rng, 1.5, 12, 0.0)).labelled("a pendulum without gravity")
+    moves = case.with_leading(uneven(rng, 1.5, 8, 0.0)).labelled("a pendulum without gravity")
     still = moves.replace(moves.args[0][[0, -1]], case.args[0], np.zeros(2))
     return [moves, still.labelled("a pendulum at rest without gravity, two times")]
 
