@@ -10,9 +10,9 @@ from dataclasses import dataclass, replace
 from itertools import cycle
 from pathlib import Path
 
-from tam570_grader.audit.gradings import Grading, submissions, tried
+from tam570_grader.audit.gradings import Grading, tried
 from tam570_grader.checks import assignments
-from tam570_grader.diagnosis.mistakes import Mistake, mistakes
+from tam570_grader.diagnosis.mistakes import Mistake, mistakes, overlays
 from tam570_grader.diagnosis.mutants import reached
 from tam570_grader.errors import UsageError, progress
 from tam570_grader.grading.executor import TaskExecutor, in_order
@@ -47,18 +47,18 @@ class Diagnosis:
 def diagnoses(course: Path, slug: str, executor: TaskExecutor, quick: bool, seeds: int = 1) -> list[Diagnosis]:
     """Return the diagnosis of each wrong submission, or with `quick` of a fixed sample, with each of the seeds."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    wrong = submissions(course, slug, "mistakes")
+    folder = assignments.checks_folder(course, slug)
+    wrong = overlays(folder)
     if not wrong:
-        file = assignments.checks_folder(course, slug) / "mistakes.py"
-        raise UsageError(f"there is no wrong submission to name in {file}; write one")
+        raise UsageError(f"there is no wrong submission to name in {folder / 'mistakes.py'}; write one")
     wrong = dict(list(wrong.items())[:: max(1, len(wrong) // QUICK)]) if quick else wrong
-    styles = submissions(course, slug, "alternatives")
+    styles = assignments.alternatives(course, slug)
     tasks = [Grading(course, slug, name, f"{solution}\n\n{text}", SEED, naming=True) for name, text in wrong.items()]
     for (name, text), (style, other) in zip(wrong.items(), cycle(styles.items())):
         tasks.append(Grading(course, slug, f"{name}{ON}{style}", other + _taken(solution, text), SEED, naming=True))
     tasks = [replace(task, seed=SEED + seed) for seed in range(seeds) for task in tasks]
     results = progress(in_order(executor, tried, tasks), len(tasks), "submission")
-    known_mistakes = {mistake.name: mistake for mistake in mistakes(assignments.checks_folder(course, slug))}
+    known_mistakes = {mistake.name: mistake for mistake in mistakes(folder)}
     messages = {mistake.message for mistake in known_mistakes.values()}
     diagnosed = (diagnosis(result, known_mistakes[result.student.partition(ON)[0]], messages) for result in results)
     # a submission in another style may not call the wrong function, and then passes

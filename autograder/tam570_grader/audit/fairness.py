@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from tam570.values import Json
-from tam570_grader.audit.gradings import Grading, submissions, tried
+from tam570_grader.audit.gradings import Grading, tried
 from tam570_grader.checks import assignments
 from tam570_grader.errors import UsageError, progress, writing
 from tam570_grader.grading.executor import TaskExecutor, in_order
@@ -33,7 +33,7 @@ class Class:
 def fair(course: Path, slug: str, seeds: int, executor: TaskExecutor, keep: Path | None = None) -> list[Line]:
     """Return a line for each right submission and seed; reuse up-to-date lines of the file `keep`, and add new ones."""
     solution = (course / "solutions" / f"{slug}.py").read_text(encoding="utf-8")
-    texts = {"solution": solution, **submissions(course, slug, "alternatives")}
+    texts = {"solution": solution, **assignments.alternatives(course, slug)}
     digests = {}  # of all that the outcome depends on: submission, checks and engine
     for name, text in texts.items():
         parts = (text.encode(), assignments.checks_digest(course, slug), assignments.engine_digest())

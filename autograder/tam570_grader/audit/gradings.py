@@ -10,7 +10,6 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import NotWritten
-from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading.run_checks import CheckOptions, Recorder, generator, graded
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox import pool
@@ -77,11 +76,3 @@ def _graded(grading: Grading, assignment: LoadedAssignment, options: CheckOption
         grading.limits,
         [grading.course],
     )
-
-
-def submissions(course: Path, slug: str, folder: str) -> dict[str, str]:
-    """Return the texts of the alternatives or mistakes of an assignment, by name."""
-    if folder == "mistakes":
-        return overlays(assignments.checks_folder(course, slug))
-    paths = sorted((assignments.checks_folder(course, slug) / folder).glob("*.py"))
-    return {path.stem: path.read_text(encoding="utf-8") for path in paths}

@@ -95,6 +95,12 @@ def other_functions(folder: Path) -> list[str]:
     return [path.read_text(encoding="utf-8") for path in sorted(folder.glob("consequences*.py"))]
 
 
+def alternatives(root: Path, slug: str) -> dict[str, str]:
+    """Return the right submissions in other styles, by name."""
+    paths = sorted((checks_folder(root, slug) / "alternatives").glob("*.py"))
+    return {path.stem: path.read_text(encoding="utf-8") for path in paths}
+
+
 def checks_folder(root: Path, slug: str) -> Path:
     """Return the folder with all hidden files of an assignment."""
     return root / "autograder" / "checks" / slug

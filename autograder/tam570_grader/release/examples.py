@@ -106,8 +106,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
 
 def _fair(course: Path, assignment: LoadedAssignment, candidates: Sequence[Example]) -> Iterator[Example]:
     """Yield the candidates that the solution and all right submissions in other styles pass."""
-    folder = assignments.checks_folder(course, assignment.slug) / "alternatives"
-    texts = ["", *(path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.py")))]
+    texts = ["", *assignments.alternatives(course, assignment.slug).values()]
     modules = [solution_with(assignment.solution, text) for text in texts]
     examples = Examples(candidates, ())
     for k, candidate in enumerate(candidates):

@@ -14,7 +14,8 @@ from classes import HW08, hand_in, outcome, result
 from processes import await_end, descendants
 
 from tam570_grader import cli
-from tam570_grader.audit.gradings import submissions
+from tam570_grader.checks import assignments
+from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.grading import batch
 from tam570_grader.results import store
 
@@ -120,9 +121,9 @@ def busy_machine():
 @pytest.mark.slow
 @pytest.mark.skipif(sys.platform != "linux", reason="chooses a processor")
 def test_every_mistake_is_told_in_the_same_words_on_a_busy_machine(slug, course, solution_text, tmp_path):
-    wrong = submissions(course, slug, "mistakes")
+    wrong = overlays(assignments.checks_folder(course, slug))
     texts = {name: f"{solution_text(slug)}\n\n{text}" for name, text in wrong.items()}
-    tree = hand_in(tmp_path / "submitted", {**texts, **submissions(course, slug, "alternatives")}, slug)
+    tree = hand_in(tmp_path / "submitted", {**texts, **assignments.alternatives(course, slug)}, slug)
     run_to_end(grading(tree, tmp_path / "calm", jobs="1"))
     with busy_machine():
         run_to_end(grading(tree, tmp_path / "busy"))
