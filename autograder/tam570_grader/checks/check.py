@@ -100,18 +100,14 @@ def check(
     ValueError
         If the function has neither a line nor a docstring.
     """
+    before = (after,) if isinstance(after, Check) else tuple(after)
 
     def decorated(run: Run) -> Check:
         if not (text := line or " ".join((run.__doc__ or "").split())):
             raise ValueError(f"the check {run.__name__} needs a docstring: the line that the student reads")
-        return Check(run, function, float(points), part, text, needed(after), refusals)
+        return Check(run, function, float(points), part, text, before, refusals)
 
     return decorated
-
-
-def needed(after: Check | Sequence[Check]) -> tuple[Check, ...]:
-    """Return the checks of `after` as a tuple."""
-    return (after,) if isinstance(after, Check) else tuple(after)
 
 
 def once(compute: Callable[..., T]) -> Callable[..., T]:

@@ -69,16 +69,13 @@ class Force:
         """Return whether these arrows together draw exactly this force."""
         if not self.acts and not arrows:
             return True
-        if not arrows or any(math.dist(arrow.point, np.asarray(self.point, float)) > near for arrow in arrows):
+        if not arrows or not all(_at(self, arrow, near) for arrow in arrows):
             return False
         if len(arrows) > 1:
             drawn = [arrow.direction for arrow in arrows if arrow.direction is not None]
             pulls = self.push is not None and any(_parallel(-line, self.push, sense=True) for line in drawn)
             return self.along is None and _perpendicular(arrows) and not pulls
-        (direction,) = (arrow.direction for arrow in arrows)
-        if not self.acts or self.along is None:
-            return not self.acts or direction is None
-        return direction is not None and _parallel(direction, self.along, self.sense)
+        return not self.acts or _same_line(self, arrows[0], self.sense)
 
 
 @dataclass(frozen=True)
@@ -94,11 +91,7 @@ class NotAForce:
     sense: bool = False
 
     def drawn_by(self, arrow: Arrow, near: float) -> bool:
-        if math.dist(arrow.point, np.asarray(self.point, float)) > near:
-            return False
-        return self.along is None or (
-            arrow.direction is not None and _parallel(arrow.direction, self.along, self.sense)
-        )
+        return _at(self, arrow, near) and (self.along is None or _same_line(self, arrow, self.sense))
 
 
 @dataclass(frozen=True)
@@ -298,11 +291,11 @@ def _instead(force: Force, arrow: Arrow, near: float) -> str:
     return ""
 
 
-def _at(force: Force, arrow: Arrow, near: float) -> bool:
+def _at(force: Force | NotAForce, arrow: Arrow, near: float) -> bool:
     return math.dist(arrow.point, np.asarray(force.point, float)) <= near
 
 
-def _same_line(force: Force, arrow: Arrow, sense: bool = False) -> bool:
+def _same_line(force: Force | NotAForce, arrow: Arrow, sense: bool = False) -> bool:
     if force.along is None or arrow.direction is None:
         return force.along is None and arrow.direction is None
     return _parallel(arrow.direction, force.along, sense)

@@ -86,7 +86,7 @@ class CheckContext:
     def end(self) -> None:
         """Raise the stored failure that leaves the smallest share, if there is one."""
         if self.failures:
-            raise self._explained(*min(self.failures, key=lambda failure_and_check: failure_and_check[0].share))
+            raise self._explained(*min(self.failures, key=lambda failure: failure[0].share))
 
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
         """Return the failure to be reported, with its hint, which may take long to compute."""

@@ -91,10 +91,10 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     *,
     tolerance: float,
     quantity: str,
-    others: Mapping[str, ArrayLike] | None = None,
+    others: Mapping[str, ArrayLike],
     fewer: float = 10,
     wrong_source: Callable[[], str],
-    own_paths: Callable[[], Iterable[ArrayLike]] = tuple,
+    own_paths: Callable[[], Iterable[ArrayLike]],
     near_miss_credit: bool = True,
 ) -> None:
     """Fail unless a line is the path from end to end, in its order or from its last point to its first.
@@ -109,7 +109,7 @@ def path_drawn(  # noqa: PLR0913  as `compare`
     limit = tolerance * size
 
     def hint() -> str:
-        if message := _other_path(drawn, path, others or {}, limit):
+        if message := _other_path(drawn, path, others, limit):
             return message
         if not (name := wrong_source()):
             return "The motion is right: draw the point of each row, from t[0] to t[-1]"
@@ -188,7 +188,7 @@ TOO_SMALL = "It is as small as a point."
 
 def _unseen(line: Line) -> str:
     """Return why a curve cannot be seen; empty if it can."""
-    if not line.tolerance >= WITHIN:
+    if not line.within >= WITHIN:
         return "It leaves the limits of the axes."
     if not line.extent >= EXTENT:
         return TOO_SMALL
