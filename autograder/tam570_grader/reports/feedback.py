@@ -162,7 +162,7 @@ def write_pages(folder: Path, results: Results, course: Path) -> list[Key]:
         for slug in {slug for _, slug in results.lines}
     }
     adjustments = manual_points.read(folder.parent)
-    adjusted = _settled(adjustments, results)
+    adjusted = _adjusted(adjustments, results)
     digests = {key: f"{line.line_digest} {info_digests[key[1]]}" for key, line in results.lines.items()}
     for key, score in adjusted.items():
         digests[key] += f" {zlib.crc32(repr(score).encode())}"
@@ -200,7 +200,7 @@ def write_page(folder: Path, key: Key, text: str) -> None:
         write_in(path.parent, path.name, text)
 
 
-def _settled(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
+def _adjusted(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
     """Return the adjusted scores of the results that have adjustments by hand."""
     rows = [line.graded for key, line in results.lines.items() if adjustments.touches(key)]
     return {
@@ -231,7 +231,7 @@ def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
     """Return the rows of the table with scores adjusted by hand."""
-    scores = {key: _score(it.score, it.most) for key, it in _settled(adjustments, results).items()}
+    scores = {key: _score(it.score, it.most) for key, it in _adjusted(adjustments, results).items()}
     return [(*row[:2], scores.get((row[0], row[1]), row[2]), *row[3:]) for row in rows]
 
 

@@ -7,7 +7,7 @@ import heapq
 import statistics
 from collections import defaultdict
 from collections.abc import Callable, Collection, Container, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -34,23 +34,6 @@ Everyone = Callable[[Collection[str]], Iterable[str]]
 Class = Mapping[Key, Result]  # the newest result of each student and assignment, sorted
 Examples = dict[tuple[str, str], Failure]  # by assignment and `_what_went_wrong`
 Signs = dict[Key, list[shared.Sign]]
-
-
-@dataclass(frozen=True)
-class Tally:
-    """Statistics of one check in the class."""
-
-    slug: str
-    part: str
-    line: str
-    points: str
-    counts: Mapping[str, int]  # submissions by outcome
-    discrimination: float | None = None  # percentage of passes in the upper third minus that in the lower third
-
-    @property
-    def share(self) -> float:
-        """Percentage of passes among those who handed in."""
-        return round(100 * self.counts["passed"] / max(sum(self.counts.values()), 1), 1)
 
 
 def run(
@@ -216,7 +199,7 @@ def _cell(result: Result | None) -> str:
     return "error" if result.score is None else points(result.score, result.max_score)
 
 
-def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Tally]:
+def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> list[Json]:
     """Return the statistics of each check over those who handed in, sorted by assignment."""
     counts: dict[tuple[str, str], dict[str, int]] = defaultdict(lambda: dict.fromkeys(OUTCOMES, 0))
     checks, results = dict[tuple[str, str], CheckResult](), list(results)
@@ -227,14 +210,15 @@ def _tallies(results: Iterable[Result], infos: Mapping[str, AssignmentInfo]) -> 
             counts[key][check.outcome] += 1
             checks[key] = check
     return [
-        Tally(
-            slug,
-            check.part,
-            infos[slug].lines.get(name, name),
-            points(check.max_points),
-            counts[slug, name],
-            upper.get((slug, name)),
-        )
+        {
+            "slug": slug,
+            "part": check.part,
+            "line": infos[slug].lines.get(name, name),
+            "points": points(check.max_points),
+            "counts": counts[slug, name],
+            "share": round(100 * counts[slug, name]["passed"] / sum(counts[slug, name].values()), 1),  # % of passes
+            "discrimination": upper.get((slug, name)),
+        }
         for (slug, name), check in sorted(checks.items(), key=lambda item: item[0][0])
     ]
 

@@ -48,7 +48,11 @@ def wrong_and_right(course: Path, slug: str, message: str, failure: Failure | No
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")
         try:
-            return _scenes(course, slug, message) or _diagrams(failure) or _numbers(failure)
+            if scenes := _scenes(course, slug, message):
+                return scenes
+            if failure and failure.sketch and isinstance(failure.expected, dict):  # free body diagrams
+                return WrongAndRight(sketch(failure.sketch), sketch(failure.expected))
+            return _numbers(failure)
         except (Trouble, ArithmeticError, ValueError, TypeError, LookupError):  # a mistake may have no picture
             return None
 
@@ -76,13 +80,6 @@ def _still(scene: Scene) -> str:
     with tempfile.TemporaryDirectory() as folder:
         write(scene, path := Path(folder) / "still.png")
         return _address(path.read_bytes())
-
-
-def _diagrams(failure: Failure | None) -> WrongAndRight | None:
-    """Return a student's free body diagram and the right one."""
-    if failure is None or not (failure.sketch and isinstance(failure.expected, dict)):
-        return None
-    return WrongAndRight(sketch(failure.sketch), sketch(failure.expected))
 
 
 def _numbers(failure: Failure | None) -> WrongAndRight | None:
