@@ -3,8 +3,7 @@
 import json
 import re
 import shutil
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable
 from pathlib import Path
 
 from tam570 import handin
@@ -12,7 +11,7 @@ from tam570.checking.changes import calls
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.rubric import ManualPart, rubric_table, without_rubric
+from tam570_grader.checks.rubric import rubric_table, without_rubric
 from tam570_grader.results.tables import written
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -45,22 +44,13 @@ BY_HAND = "**By hand ({part}), {worth}:** {what}. Put plots into cells of their 
 BEFORE = "**Before you look ({part}):** {before}"
 
 
-@dataclass(frozen=True)
-class Problem:
-    """The README of an assignment: the text before the parts, the parts by letter, and the text on grading."""
-
-    intro: str
-    parts: Mapping[str, str]
-    rest: str
-
-
-def problem(readme: str) -> Problem:
-    """Split a README at its lettered parts and at the table after them."""
+def problem(readme: str) -> tuple[str, dict[str, str], str]:
+    """Split a README into the text before the lettered parts, the parts by letter, and the table and all after it."""
     text, bar, table = readme.partition("\n|")
     starts = list(PART.finditer(text))
     ends = [start.start() for start in starts[1:]] + [len(text)] if starts else []
     parts = {start[1]: text[start.start() : end].strip() for start, end in zip(starts, ends, strict=True)}
-    return Problem(text[: starts[0].start()].strip() if starts else text.strip(), parts, (bar + table).strip())
+    return text[: starts[0].start() if starts else None].strip(), parts, (bar + table).strip()
 
 
 def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: str) -> Json:
@@ -69,18 +59,18 @@ def notebook(assignment: LoadedAssignment, readme: str, tests: str, pictures: st
     readme, tests : the assignment's files for students
     pictures      : Markdown with a code block under the letter of each part that shows something
     """
-    problem_cells = problem(without_rubric(readme))
+    intro, parts, rest = problem(without_rubric(readme))
     first = {"cell_type": "markdown", "id": "problem", "metadata": {}}
     how = HOW.format(slug=assignment.slug, hand_in=handin.HOW.format(name=assignment.slug[:4]))
     cells: list[CellRecord] = [
-        {**first, "source": f"{problem_cells.intro}\n\n{how}"},
+        {**first, "source": f"{intro}\n\n{how}"},
         _code("setup", SETUP.format(slug=assignment.slug)),
     ]
     shown, tested = dict(FENCE.findall(pictures)), visible_by_part(assignment, tests)
-    for part in sorted({*problem_cells.parts, *part_points(assignment), *assignment.rubric}):
-        text = problem_cells.parts.get(part, f"**({part})**")
+    for part in sorted({*parts, *part_points(assignment), *assignment.rubric}):
+        text = parts.get(part, f"**({part})**")
         cells += _part(assignment, part, text, shown.get(part), tested.get(part, []))
-    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", problem_cells.rest)]
+    cells += [text_cell("look", SCENE), _code("scene", "show(hw)"), text_cell("graded", rest)]
     return {**FORMAT, "metadata": KERNEL, "cells": cells}
 
 
@@ -138,19 +128,13 @@ def _part(
     if shown:
         cells.append(_code(f"picture-{part}", shown.rstrip()))
     if manual:
-        cells += _by_hand(part, manual)
+        task = BY_HAND.format(part=part, worth=manual.worth, what=manual.asks, claims=rubric_table(manual))
+        answer = text_cell(f"manual-{part}", manual.prompt)
+        answer["metadata"] = {"nbgrader": noted(f"manual-{part}", manual.points, locked=False, solution=True)}
+        cells += [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
     if part in part_points(assignment):
         cells.append(_locked(assignment, part, tests))
     return cells
-
-
-def _by_hand(part: str, manual: ManualPart) -> list[CellRecord]:
-    """Return the cells of a part graded by hand: the task, a code cell, and the answer, which has the points."""
-    answer = text_cell(f"manual-{part}", manual.prompt)
-    answer["metadata"] = {"nbgrader": noted(f"manual-{part}", manual.points, locked=False, solution=True)}
-    claims = rubric_table(manual)
-    task = BY_HAND.format(part=part, worth=manual.worth, what=manual.asks, claims=claims)
-    return [text_cell(f"task-{part}", task), _code(f"work-{part}", "# your plots and numbers\n"), answer]
 
 
 def _locked(assignment: LoadedAssignment, part: str, tests: Iterable[str]) -> CellRecord:

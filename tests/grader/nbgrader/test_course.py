@@ -38,10 +38,10 @@ def cells(course, slug, tmp_path):
 
 
 def test_every_part_has_its_text_and_its_points(course, slug, released, cells):
-    assignment, text = assignments.assignment(course, slug), problem((released / "README.md").read_text())
+    assignment, (_, parts, _) = assignments.assignment(course, slug), problem((released / "README.md").read_text())
     of_nbgrader = [item["metadata"]["nbgrader"] for item in cells.values() if item["metadata"]]
     graded = {item["grade_id"]: item["points"] for item in of_nbgrader}
-    assert text.parts and {*part_points(assignment), *assignment.rubric} <= set(text.parts)
+    assert parts and {*part_points(assignment), *assignment.rubric} <= set(parts)
     assert {f"part-{part}": points for part, points in part_points(assignment).items()}.items() <= graded.items()
     assert {f"manual-{letter}": part.points for letter, part in assignment.rubric.items()}.items() <= graded.items()
     assert sum(graded.values()) == assignment.max_score + sum(part.points for part in assignment.rubric.values())
@@ -215,7 +215,7 @@ def test_a_pipe_in_place_of_a_notebook_is_told(tmp_path):
 
 def test_every_claim_has_points_and_every_part_is_one_of_the_problem(released):
     rubric = load_rubric(released)
-    assert {*rubric} <= {*problem((released / "README.md").read_text()).parts} | {"a"}
+    assert {*rubric} <= {*problem((released / "README.md").read_text())[1]} | {"a"}
     for part in rubric.values():
         assert len({text for _, text in part.claims}) == len(part.claims) >= 2
         assert all(points > 0 for points, _ in part.claims)
