@@ -27,7 +27,6 @@ LEAST = 4  # chunks of tasks in flight, however few workers there are
 PATIENCE = 20  # s, timeout of the connection to a scheduler
 GOODBYE = 5  # s, timeout of closing it
 CERTIFICATES = ("certificate.pem", "key.pem")  # only a holder of the key can join the cluster
-MISSING = "--cluster needs dask.distributed: pip install 'tam570[cluster]'"
 UNSAFE = (
     "{address}: whoever reaches a scheduler without certificates can run code on it. Run "
     "`tam570-grader certificates DIR`, start scheduler and workers as it says, and name "
@@ -45,7 +44,7 @@ class Cluster:
 
     def __post_init__(self) -> None:
         if importlib.util.find_spec("distributed") is None:
-            raise UsageError(MISSING)
+            raise UsageError("--cluster needs dask.distributed: pip install 'tam570[cluster]'")
         if not self.is_local and not (self.address.startswith("tls://") and self.certificates):
             raise UsageError(UNSAFE.format(address=self.address))
 

@@ -223,7 +223,9 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             solution = assignment.solution
             calls = [call for call in run.student.calls if not _is_drawn(assignment, call)]
             folder = assignments.checks_folder(assignment.root, assignment.slug)
-            passed = _passed_so_far(run) - {call.name for call in calls}
+            done = [check for check in assignment.checks if check.name in run.results]
+            wrong = {check.function for check in done if run.results[check.name].outcome != "passed"}
+            passed = {check.function for check in done} - wrong - {call.name for call in calls}
             is_told = failed.failure.hint in OF_TIMES
             search = partial(diagnose, solution, folder, earlier=earlier, is_told=is_told, passed=passed)
             following = follows(solution, calls, earlier)
@@ -382,13 +384,6 @@ def _call_aside(function: StudentFunction, *args: Numbers, **kwargs: Numbers) ->
 
 def _has_failed(result: CheckResult | None) -> bool:
     return result is not None and result.outcome == "failed" and not result.unlocks_dependents
-
-
-def _passed_so_far(run: _Run) -> set[str]:
-    """Return the functions that have passed all their checks so far."""
-    checks = [check for check in run.assignment.checks if check.name in run.results]
-    wrong = {check.function for check in checks if run.results[check.name].outcome != "passed"}
-    return {check.function for check in checks} - wrong
 
 
 def _earlier(causes: Mapping[str, Cause]) -> list[Cause]:

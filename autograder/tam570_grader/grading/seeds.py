@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from tam570_grader.errors import UsageError, warn, writing
-from tam570_grader.results.store import Results, common_seed
+from tam570_grader.results.store import Results
 
 BITS = 128  # per seed: too many to find a seed by trial from the inputs that feedback pages show
 SHORTEST_KEY = 16  # bytes
@@ -18,8 +18,12 @@ def seed(chosen: int | None, earlier: Sequence[Results], key: bytes | None) -> i
     """Return the chosen seed, else that of the earlier results, else a new one; 0 if only a key is given."""
     if key is not None or chosen is not None:
         return chosen or 0
-    shared = common_seed(line.seed for results in earlier for line in results.lines.values())
-    return new_seed() if shared is None else shared
+    distinct = {line.seed for results in earlier for line in results.lines.values()}
+    if len(distinct) > 1:
+        raise UsageError(
+            "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
+        )
+    return distinct.pop() if distinct else new_seed()
 
 
 def new_seed() -> int:

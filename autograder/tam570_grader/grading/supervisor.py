@@ -16,8 +16,6 @@ from tam570_grader.sandbox.pool import Attempt, start, tried, zygote
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import NotConfined, ResourceLimits, Zygote, ZygoteLost
 
-NO_JAIL = "submissions cannot be confined on this machine, and without that none is graded: {why}"
-
 
 @dataclass(frozen=True)
 class WorkerConfig:
@@ -103,7 +101,8 @@ def result(task: GradeTask) -> Result:
         with expected.sharing(task.conditions.shared):
             return tried(grade, *_sandbox(task.course, task.slug, task.conditions))
     except NotConfined as why:
-        raise UsageError(NO_JAIL.format(why=why)) from None
+        message = f"submissions cannot be confined on this machine, and without that none is graded: {why}"
+        raise UsageError(message) from None
     except UsageError:
         raise
     except ZygoteLost as lost:

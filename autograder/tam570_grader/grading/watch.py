@@ -288,8 +288,11 @@ class Watcher:
         """Write the page of an attempt into the results folder and to where the student finds it."""
         key = event["student"], event["slug"]
         info = self._infos.setdefault(key[1], feedback.load_assignment_info(self.course, key[1]))
-        result = result_of(event["record"])
-        message = " ".join(filter(None, [self._standing(event), result.message]))
+        result, policy = result_of(event["record"]), self.queue.policy
+        of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
+        score = self.queue.counting(key)["record"]["score"]
+        counts = f"your {policy.count} attempt counts" + ("" if score is None else f", {score:g} points so far")
+        message = " ".join(filter(None, [f"Attempt {event['attempt']}{of}; {counts}.", result.message]))
         page = feedback.page(replace(result, message=message), info)
         pages = self.queue.folder / "feedback"
         feedback.write_page(pages, key, page)
@@ -301,14 +304,6 @@ class Watcher:
                 write_in(origin.parent, f"{origin.name.split('.')[0]}{FEEDBACK}", page)
         except OSError as error:
             warn(f"the page of {key[0]} in {key[1]} cannot be put back: {error}; it is in {pages / key[0]}")
-
-    def _standing(self, event: Json) -> str:
-        """Return the sentence that gives the number of the attempt and which attempt counts."""
-        policy, best = self.queue.policy, self.queue.counting((event["student"], event["slug"]))
-        of = f" of {policy.attempts:g}" if policy.attempts < math.inf else ""
-        score = best["record"]["score"]
-        counts = f"your {policy.count} attempt counts" + ("" if score is None else f", {score:g} points so far")
-        return f"Attempt {event['attempt']}{of}; {counts}."
 
     def _release(self, folder: Path, slug: str, page: str) -> None:
         """Write a page where `nbgrader fetch_feedback` looks, named by a hash of the secret and the notebook."""

@@ -5,7 +5,7 @@ import hashlib
 import json
 import os
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -174,16 +174,6 @@ def results(path: Path) -> Results:
         return Results(open(file, "rb"), file)  # noqa: SIM115  closed with the results
     except OSError as error:
         raise UsageError(f"cannot read results from {path}: {error.strerror}") from None
-
-
-def common_seed(seeds: Iterable[int]) -> int | None:
-    """Return the only seed among these, None if there is none; raise UsageError if there are several."""
-    distinct = set(seeds)
-    if len(distinct) > 1:
-        raise UsageError(
-            "these results have more than one seed: give the key that they were varied by (--vary), or a --seed"
-        )
-    return next(iter(distinct), None)
 
 
 def _record(line: bytes, path: Path, number: int) -> Record:
