@@ -226,10 +226,8 @@ def _is_stopped(process: SandboxProcess) -> bool:
     try:
         process.send({**REQUEST, "function": "endless", "calls": [[[], {}]]})
         process.receive(lambda reply: reply)
-    except ProcessTimeout:
-        return True
-    except ProcessLost:
-        return False
+    except (ProcessLost, ProcessTimeout) as ended:
+        return isinstance(ended, ProcessTimeout)
     return False
 
 
