@@ -308,8 +308,10 @@ def _hint(
 ) -> str:
     own_rates: OwnRates | None = motion.function.returns.rates
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
-    said = diagnosed(motion, motions, turns, near_miss, rates_are_right)
-    if own_rates and said in ("", *OF_STEPS):
+    # If the rates are known to be wrong, their motion needs no other explanation, for which many more are integrated.
+    said = own_rates.source(motion) if own_rates and get_context().wrong_before else ""
+    said = said or diagnosed(motion, motions, turns, near_miss, rates_are_right)
+    if own_rates and said in ("", *OF_STEPS) and not get_context().wrong_before:
         said = own_rates.source(motion) or said
     said = said or (hint(motion) if callable(hint) else "")
     if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):

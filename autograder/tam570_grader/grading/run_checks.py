@@ -25,6 +25,7 @@ from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
+from tam570_grader.diagnosis.helper_factor import same_factor
 from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
 from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
@@ -185,7 +186,7 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     """Run one check and diagnose its failure; do not run it if a prerequisite is wrong or missing."""
     for other in check.after:
         before = run.results[other.name]
-        if not (before.unlocks_dependents or (check.refusals and before.has_numbers)):
+        if not (before.unlocks_dependents or (check.refusals and other.function in run.student.worked)):
             return _not_run(check, f"Not run: it needs “{other.title.rstrip('.')}” to pass first.")
     student, options = run.student, run.options
     try:
@@ -296,7 +297,8 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
     One of the two must call the other, or both the same helper. In addition, both got the same diagnosis, or both fail
     with the same message at inputs with the same label, or they return the same wrong number where the right numbers
     are equal, or a solution that uses the other function (although the student may not call it) reproduces these
-    results, or one mutant of code that a solution shares explains both.
+    results, or one mutant of code that a solution shares explains both, or one factor on what the helper returns makes
+    both right.
     """
     student, results, calls = run.student, run.assignment.results, run.student.calls
     name = calls[0].name if calls else ""
@@ -315,15 +317,21 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
         function, other_function = getattr(student, name), getattr(student, other)
         try:
             with budget():
-                uses_helper = (
-                    function.uses(helper, case) and other_function.uses(helper, other_case) for helper in helpers
-                )
+                of_both = [
+                    helper
+                    for helper in helpers
+                    if function.uses(helper, case) and other_function.uses(helper, other_case)
+                ]
                 calls_other = function.uses(other, case) or other_function.uses(name, other_case)
-                if (calls_other or any(uses_helper)) and (
+                if (calls_other or of_both) and (
                     (cause and cause.repeats == other)
                     or _same_words(failure, failed.failure)
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
                     or _same_mutant(run, Call(other, other_case, None), calls)
+                    or any(
+                        same_factor(run.assignment.solution, helper, function, other_function, other_case, calls)
+                        for helper in of_both
+                    )
                     or _same_number(run, other, calls)
                 ):
                     return Cause(name, "", "own", follows_from=other)

@@ -89,16 +89,31 @@ def _stood_in(module: ModuleType, request: Json) -> list[Change]:
         homes: list[ModuleType | type] = [module, *(each for each in vars(module).values() if isinstance(each, type))]
         for home in homes:
             if callable(function := vars(home).get(name)) and not isinstance(function, staticmethod):
-                changes += everywhere(home, function, _moved(function))
+                changes += everywhere(home, function, _moved(function, *request.get("scaled", ())))
     originals = [(owner, attribute, getattr(owner, attribute)) for owner, attribute, _ in changes]
     for owner, attribute, value in changes:
         setattr(owner, attribute, value)
     return originals
 
 
-def _moved(function: Function) -> Function:
-    """Return the function with all its results larger by one; if it is a method, so is the returned function."""
+def _moved(function: Function, index: int = -1, factor: float = 0.0) -> Function:
+    """Return the function with all its results larger by one; if it is a method, so is the returned function.
+
+    index, factor : of one number of its result, or -1 for all, and a factor by which to multiply it instead; 0: none
+    """
+    if factor:
+        return lambda *args, **kwargs: _scaled(function(*args, **kwargs), index, factor)
     return lambda *args, **kwargs: _larger(function(*args, **kwargs))
+
+
+def _scaled(result: Numbers, index: int, factor: float) -> Numbers:
+    if isinstance(result, tuple):
+        return tuple(part * factor if index in (-1, k) else part for k, part in enumerate(result))
+    scaled = np.array(result, float)
+    if index == -1:
+        return scaled * factor
+    scaled[np.unravel_index(index, scaled.shape)] *= factor
+    return scaled
 
 
 def _larger(result: Numbers) -> Numbers:

@@ -37,11 +37,6 @@ class CheckResult:
         """Whether the checks that depend on this one are run."""
         return self.outcome == "passed" or bool(self.failure and self.failure.near_miss)
 
-    @property
-    def has_numbers(self) -> bool:
-        """Whether the function returned numbers, right or wrong, so that checks of its exceptions can run."""
-        return self.outcome == "passed" or bool(self.failure and self.failure.quantity)
-
     def record(self) -> Json:
         """Return the result as plain data for JSON, without fields that have their default values."""
         line = {key: value for key, value in vars(self).items() if value or key not in MAY_LACK}

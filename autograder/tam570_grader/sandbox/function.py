@@ -128,6 +128,18 @@ class SandboxFunction:
         except (KeyError, Failed):
             return True
 
+    def scaled(self, helper: str, index: int, factor: float, call: Case) -> Any:
+        """Return a call's result if a helper's result, or one number of it, has this factor; None if the call fails.
+
+        index : of the number; -1 for all
+        """
+        with self.student.aside(self.name):
+            reply = self.student.replies(self.name, [call], moved=helper, scaled=[index, factor])[0]
+        try:
+            return result(self.returns, reply["value"], self.name, call)
+        except (KeyError, Failed):
+            return None
+
     def refusals(self, calls: Iterable[Case]) -> Iterator[tuple[Case, bool]]:
         """Yield each call and whether it raises ValueError; raise Failed if it raises another exception."""
         calls = list(calls)

@@ -367,3 +367,25 @@ FORGOTTEN = [
 @pytest.mark.parametrize(("slug", "line", "pair"), first(1, FORGOTTEN))
 def test_what_is_forgotten_twice_is_charged_once(checked, slug, line, pair):
     assert pair in following(checked(slug, line))
+
+
+IN_THE_HELPER = ("4 * c * x**2", "gravity + 2 * curvature", "v**2 / 2 + mass")
+IN_TWO_FUNCTIONS = ("4 * c**2 * x**2", "1.1 * gravity + 2 * curvature", "0.7 * v**2 + mass")
+
+
+@pytest.mark.parametrize(("slips", "is_one"), [(IN_THE_HELPER, True), (IN_TWO_FUNCTIONS, False)])
+def test_a_mistake_without_a_name_in_a_helper_is_charged_once(checked, slips, is_one):
+    squared, gravity, kinetic = slips
+    actual = checked(
+        "hw12_bead_on_wire",
+        ("/ (1 + slope**2)", "/ _squared(x, curvature)"),
+        (
+            "return mass * (1 + slope**2) * v**2 / 2 + mass * gravity",
+            f"return mass * _squared(x, curvature) * {kinetic} * gravity",
+        ),
+        ("* (gravity + 2 * curvature", f"* ({gravity}"),
+        more=f"\n\ndef _squared(x, c):\n    return 1 + {squared}\n",
+    )
+    pairs = following(actual)
+    assert (("energy", "acceleration_newton") in pairs) == is_one
+    assert actual["energy_is_kinetic_and_potential"].outcome == "failed"
