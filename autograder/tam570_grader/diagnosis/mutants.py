@@ -119,7 +119,7 @@ def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Op
         "as given": partial(_as_given, raw=raw),
         "ignored": partial(_ignored, computed=computed),
         "a multiple": partial(_multiples, computed=computed, public=public),
-        "a factor of a term": partial(_other_powers, names=names_used(function) & {"mass", *LENGTHS}),
+        "a factor of a term": partial(_other_powers, names=names_used(function) & {"mass", "curvature", *LENGTHS}),
     }
 
 
@@ -149,7 +149,7 @@ def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[as
 
 
 def _other_powers(node: ast.expr, names: Set[str]) -> Iterator[ast.expr]:
-    """Yield the sum with one of its two terms multiplied or divided by a mass or a length."""
+    """Yield the sum with one of its two terms multiplied or divided by a mass, a curvature or a length."""
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
         for side, name, op in product(("left", "right"), sorted(names), (ast.Mult(), ast.Div())):
             yield _with(node, **{side: ast.BinOp(getattr(node, side), op, ast.Name(name, ast.Load()))})
@@ -463,6 +463,21 @@ def _missing_squares(node: ast.expr) -> Iterator[ast.expr]:
         yield ast.BinOp(node, ast.Pow(), ast.Constant(0.5))
 
 
+def _squares_of_sums(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield (a + b)**2 in place of a**2 + b**2, and (1 + b)**2 in place of 1 + b**2."""
+    if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and _is_square(node.right)):
+        return
+    if _is_square(node.left) or _equal(node.left, ast.Constant(1)):
+        first, second = (getattr(side, "left", side) for side in (node.left, node.right))
+        yield _with(node.right, left=ast.BinOp(first, ast.Add(), second))
+
+
+def _lost_signs(node: ast.expr) -> Iterator[ast.expr]:
+    """Yield |sin x| and |cos x| in place of sin x and cos x."""
+    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos"):
+        yield ast.Call(ast.Name("abs", ast.Load()), [node], [])
+
+
 def _is_square(node: ast.expr) -> bool:
     return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2))
 
@@ -585,6 +600,8 @@ MORE: dict[str, Operator] = {
     "linearised": _linearised,
     "a product for a square": _products_for_squares,
     "a missing square": _missing_squares,
+    "a square of a sum": _squares_of_sums,
+    "a lost sign": _lost_signs,
     "a missing first term": _missing_first_terms,
     "a missing component": _missing_components,
     "a tangent": _tangents,

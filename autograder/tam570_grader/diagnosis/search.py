@@ -603,7 +603,15 @@ def _is_square_of_half(sine: ast.expr, product: ast.expr) -> bool:
 
 OF_TERMS = "a missing component", "a missing first term", "the sign of a component"
 WHOLE = (  # of these operators, the words are about the complete expression
-    *("linearised", "a product for a square", "a missing square", "two exchanged", "sine and cosine", "a tangent"),
+    *(
+        "linearised",
+        "a product for a square",
+        "a missing square",
+        "a square of a sum",
+        "two exchanged",
+        "sine and cosine",
+        "a tangent",
+    ),
     *("a norm", "degrees", "radians", "half an angle", "the sign of an angle", "parts of a tangent", "ignored"),
     *("a frequency", "the parallel axis", "about the mass centre", "without its turning", "halves"),
 )
@@ -620,6 +628,8 @@ KINDS = {
     "linearised": "a sine or cosine{} is linearised, as for small angles",
     "a product for a square": "a square{} is a product of two quantities",
     "a missing square": "a quantity{} is not squared",
+    "a square of a sum": "a sum{} is squared as a whole; square each of its terms",
+    "a lost sign": "a sine or cosine{} has lost its sign",
     "sine and cosine": "sine and cosine{} are exchanged",
     "a root": "a square root{} is missing",
     "a frequency": "a square root{} is divided by 2 pi",

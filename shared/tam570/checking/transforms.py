@@ -113,6 +113,8 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
     numbers = {key: position for key, position in _numbers(reference, example.case).items() if position is None}
     for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
         changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
+        alike = {key: None for key, value in example.case.kwargs.items() if np.shape(value) == np.shape(returned) != ()}
+        changes += [(f"{words}, component by component", change) for words, change, _ in _multiples(alike)]
         if vary and which < len(expected):
             changes += _constants(np.asarray(returned), np.asarray(expected[which]))
         for words, change in changes:
@@ -346,6 +348,9 @@ def _changes(
     if result.ndim == 2 and result.shape[0] == result.shape[1]:
         transposed = partial(_changed, np.transpose)
         yield "is transposed", transposed, transposed
+        for j, k in combinations(range(len(result) if SPACE <= len(result) <= MOST else 0), 2):
+            exchanged = partial(_changed, partial(_transposed_in, j, k))
+            yield f"has the elements ({j + 1}, {k + 1}) and ({k + 1}, {j + 1}) exchanged", exchanged, exchanged
     if result.ndim == SPACE and result.shape[1] == result.shape[2]:
         later = partial(_changed, lambda value: np.concatenate([value[:1], np.swapaxes(value[1:], 1, 2)]))
         yield "is transposed in all rows but the first", later, later
@@ -388,7 +393,7 @@ def _scaled(factor: float, value: Numbers, case: Arguments) -> Numbers:
 def _times(number: tuple[str, int | None], last: int, power: int, value: Numbers, case: Arguments) -> Numbers:
     """Multiply the last components, or all, by a power of an argument, a keyword or the one at its position."""
     key, position = number
-    factor = float(case.kwargs[key] if position is None else case.args[position]) ** power
+    factor = np.asarray(case.kwargs[key] if position is None else case.args[position], float) ** power
     return value * (np.repeat([1.0, factor], last) if last else factor)
 
 
@@ -409,6 +414,12 @@ def _components(result: Numbers) -> Iterator[tuple[str, Change]]:
         if count > 2 and not count % 2:
             half = count // 2
             yield f"has its first and last {half} {what}s exchanged", partial(np.roll, shift=half, axis=axis)
+
+
+def _transposed_in(j: int, k: int, value: Numbers) -> Numbers:
+    changed = np.array(value)
+    changed[[j, k], [k, j]] = changed[[k, j], [j, k]]
+    return changed
 
 
 def _scaled_part(which: int, axis: int, factor: float, value: Numbers) -> Numbers:

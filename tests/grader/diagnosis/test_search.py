@@ -24,6 +24,9 @@ FORMULAS = {
     "stretch(side, slope)": "np.hypot(1.0, 2 * slope * side)",
     "rates(angles, omega)": "np.array([omega * angles[1], angles[1] + 2 * angles[2], angles[2] ** 2])",
     "bars(a, b)": "np.array([a**2 / 3, a / 2, b / 2])",
+    "sizes(a, b)": "a**2 + b**2 + a",
+    "waves(angle, speed, *, inertia)": "np.asarray(inertia) * (np.sin(angle) + speed)",
+    "grid(x, y)": "np.array([[x, y, 1.0], [x * y, 2.0, y**2], [3.0, x**2, 4.0]])",
 }
 SOLUTION = """import numpy as np
 
@@ -103,6 +106,12 @@ def cases():
         "rolls": [(Case(w, mass=m, radius=r), {"w": w, "m": m, "r": r}) for m, r, w, _ in positive],
         "powers": [(Case(*pair), {"K": np.array([pair, [pair[1], 2.0]])}) for pair in pairs],
         "bars": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
+        "sizes": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
+        "waves": [
+            (Case(side * a, v, inertia=(1.0, a, v)), {"s": math.sin(side * a), "v": v, "I": np.array([1.0, a, v])})
+            for side, (a, v) in zip((1, -1, 1, -1), pairs, strict=True)
+        ],
+        "grid": [(Case(x, y), {"x": x, "y": y}) for x, y in pairs],
         "balance": [(Case(a, mass=2.0), {"a": a}) for a in DRAW.uniform(0.3, 1.2, 4)],
     }
 
@@ -173,6 +182,10 @@ def calls(function, wrong):
         ("bars", "np.array([a**2/12, a/2, b/2])", "m l^2/12 is used for m l^2/3 with a"),
         ("bars", "np.array([a**2/4, a/2, b/2])", "the bar's inertia m l^2/12 about its mass centre is missing"),
         ("bars", "np.array([a**2/3, a, b])", "every division by 2 is missing"),
+        ("sizes", "(a + b)**2 + a", "a sum with a, b is squared as a whole"),
+        ("waves", "I*(abs(s) + v)", "a sine or cosine with angle has lost its sign"),
+        ("waves", "s + v + 0*I", "should be multiplied by inertia, component by component"),
+        ("grid", "np.array([[x, y, 3], [x*y, 2, y**2], [1, x**2, 4.0]])", "elements (1, 3) and (3, 1) exchanged"),
     ],
 )
 def test_it_is_named_by_what_it_does(function, wrong, words):
