@@ -123,6 +123,7 @@ def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
     Returns (15,).
     """
     R, omega = np.reshape(state[3:12], (3, 3)), np.asarray(state[12:])
+    turning = _cross_matrix(omega)
     arm, arm_rate = _contact_arm(R[:, 2], omega, radius)
     lever = _cross_matrix(arm)
     about_centre = R @ np.diag([inertia[0], inertia[0], inertia[1]]) @ R.T
@@ -136,10 +137,10 @@ def multiplier_state_derivative(t, state, *, mass, radius, inertia, gravity):
         ]
     )
     weight = np.array([0.0, 0.0, -gravity])
-    gyroscopic = np.cross(omega, about_centre @ omega) / mass
-    right_side = np.concatenate([weight, -gyroscopic, -np.cross(omega, arm_rate)])
+    gyroscopic = turning @ about_centre @ omega / mass
+    right_side = np.concatenate([weight, -gyroscopic, -turning @ arm_rate])
     _, omega_rate, _ = np.linalg.solve(system, right_side).reshape(3, 3)
-    return np.concatenate([-np.cross(omega, arm), (_cross_matrix(omega) @ R).ravel(), omega_rate])
+    return np.concatenate([-turning @ arm, (turning @ R).ravel(), omega_rate])
 
 
 def matrix_state(state, *, radius):
@@ -291,7 +292,7 @@ def _contact_arm(axle, omega, radius):
     It is -a (z - cos(tilt) axle) / sin(tilt), with cos(tilt) = axle . z and axle' = omega x axle.
     """
     vertical = np.array([0.0, 0.0, 1.0])
-    axle_rate = np.cross(omega, axle)
+    axle_rate = _cross_matrix(omega) @ axle
     c, c_rate, s = axle[2], axle_rate[2], np.hypot(axle[0], axle[1])
     s_rate = (axle[0] * axle_rate[0] + axle[1] * axle_rate[1]) / s
     upwards = (s * s * vertical - c * np.array([axle[0], axle[1], 0.0])) / s
