@@ -19,6 +19,7 @@ FOLLOWED = 1e-6  # solve_ivp at rtol = atol = 1e-9, with any method, has errors 
 SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still right; the error of a deadband is 1
 STOPPED = 5e-5  # of the braking distance; from AT_REST to the stop the share is the square, up to 1e-5
 SOME = 0.999  # a guard against 0/0 may remove any part of the friction at 1e-8 m/s, but not all of it
+SLOWEST = 0.05  # of the turning: students stop cars below 1e-2 of their speed at most
 AT_REST = 100 * STOPPED  # of the first speed: students may treat 1e-3 m/s as rest, and cars start from 0.4 m/s
 
 compare = compare_with(reference, tolerance=FORMULA)
@@ -95,6 +96,12 @@ def where_zero(case, result, expected):
     return "Can your growth rate be positive there?" if case.args[-1] == "front" else "Where is your growth rate zero?"
 
 
+ARM = (
+    "Friction's term has your locked axle's distance from G; use the wheelbase, in the axle's sideways velocity and in "
+    "its arm about the free axle."
+)
+
+
 def of_rate(case, rate, expected):
     """Return which of the two terms of a growth rate is missing."""
     gliding = reference.yaw_growth_rate(*case.args, **{**case.kwargs, "friction": 0.0})
@@ -102,6 +109,9 @@ def of_rate(case, rate, expected):
         return "The term of friction is missing: its sideways part grows with the yaw rate."
     if abs(rate - expected + gliding) <= GROWTH * of_growth(case, None):
         return "The term of speed times yaw rate is missing."
+    share = case.kwargs[case.args[-1]] / wheelbase(case.kwargs)
+    if np.isclose((rate - gliding) / (expected - gliding), (share, share**2)).any():
+        return ARM
     return "It has two terms: of speed times yaw rate, and of friction's sideways part."
 
 
@@ -130,6 +140,17 @@ def of_rates(case, result, expected):
     return "Turn (forward, left) by the heading; G slips sideways, for no axle is there."
 
 
+STILL_TURNS = "where its speed is nearly zero, but it still turns: it rests only where both are zero."
+
+
+def stops_by_speed(case, expected, runs):
+    """Return whether the speed passes zero, or nearly, around the last row that moves, but the yaw rate does not."""
+    last = np.flatnonzero(runs).max()
+    speeds, turning = expected[last : last + 2, 3], np.abs(expected[last : last + 2, 4]) * wheelbase(case.kwargs)
+    slow = np.abs(speeds).min() <= SLOWEST * turning.min() or speeds[0] * speeds[-1] < 0
+    return slow and turning.min() > SLOW * cases.speed_of(case)
+
+
 def of_run(motion):
     """Return a hint for a motion that ends early, goes straight on, or does not stay where it stops."""
     result, expected = motion.actual, motion.expected
@@ -138,7 +159,8 @@ def of_run(motion):
     if not result[~rests, 3:].any(axis=1).all():
         runs = result[:, 3:].any(axis=1)
         if motion.errors[runs].max(initial=0.0) <= SLOW:
-            return f"Until then it is right; you stop the car at t = {motion.t[runs][-1]:.3g} s, too early."
+            where = f"Until then it is right; you stop the car at t = {motion.t[runs][-1]:.3g} s, "
+            return where + (STILL_TURNS if stops_by_speed(motion.case, expected, runs) else "too early.")
         return "You stop the car too early, and before that the motion is wrong."
     if not result[1:, 4].any() and expected[1:, 4].any():
         return "It goes straight on: a small yaw rate is not zero, and may grow."

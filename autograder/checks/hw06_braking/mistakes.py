@@ -174,6 +174,17 @@ def simulate(reference, t, state, locked, **car):
     return np.tile(state, (len(t), 1)) if sliding < 1e-2 else reference(t, state, locked, **car)
 
 
+@mistake(first_fails=checks.simulate_comes_to_rest_and_stays, compared=False)
+def simulate(reference, t, state, locked, **car):
+    """You stop the car where its speed is zero; it may still turn, and rests only where both are zero."""
+    rows = reference(t, state, locked, **car)
+    stopped = np.abs(rows[:, 3]) < 1e-3 * _sliding_speed(*state[3:], car["front"] + car["rear"])
+    first = np.argmax(stopped)
+    if first:
+        rows[first:] = [*rows[first, :3], 0.0, 0.0]
+    return rows
+
+
 @mistake(first_fails=checks.simulate_comes_to_rest_and_stays)
 def simulate(reference, t, state, locked, **car):
     """You set the speed to zero at the stop but keep moving x; the place is constant after the stop."""
