@@ -36,6 +36,7 @@ SEEN_FROM = -1.1, 0.35  # rad, azimuth and elevation of the eye, if the body has
 NEGLIGIBLE = 1e-9  # of the forces on the body; a smaller force is zero up to rounding, and may be left out
 
 INERTIAL = "You drew m a as a force; no other body exerts it. Write it on the other side of F = m a."
+IN_PLACE = "You drew an arrow along m a in place of {}. m a is the sum of all forces; no other body exerts it."
 CENTRIFUGAL = (
     "You drew a second force along the rod, outwards. No other body exerts a centrifugal force, and the pull of the "
     "mass acts on the rod."
@@ -259,7 +260,8 @@ def _not_a_force(body: FreeBody, arrows: Sequence[Arrow], match: Match, near: fl
         meant = len(extra) == 1 and any(not force.sense and _at(force, arrow, near) for force in missing)
         better = _faults(_best_match(body, others, near)) < _faults(match)
         if wrong.drawn_by(arrow, near) and better and not meant:
-            return wrong.message
+            lost = next((force for force in missing if _at(force, arrow, near)), None)
+            return IN_PLACE.format(lost.name) if lost and wrong.message == INERTIAL else wrong.message
     return ""
 
 

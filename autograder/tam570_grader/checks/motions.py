@@ -126,6 +126,7 @@ def _rules(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Seq
         (lambda: _repeats(motion, -1), ALL_THE_LAST),
         (lambda: len(inner) > 0 and motion.near(expected[2:], inner), ONE_ROW_AHEAD),
         (lambda: len(inner) > 0 and motion.near(expected[:-2], inner), BEHIND),
+        (lambda: motion.near(expected, np.copysign(motion.actual, expected)), SIGNS),
         (lambda: motion.errors[0].max() > ALIKE >= motion.errors[1:].max(), OTHER_START),
         (lambda: _turned(motion, turns), WRAPPED),
         (lambda: _even(motion), EVEN),
@@ -141,6 +142,7 @@ def _rules(motion: ComparedMotion, motions: Sequence[ComparedMotion], turns: Seq
 
 ONE_ROW_AHEAD = "Row i is the state at t[i+1], not at t[i]"
 BEHIND = "Row i is the state at t[i-1], not at t[i]"
+SIGNS = "Only signs are wrong: does a square root lose one, or does a force or a turn have the wrong sense?"
 OTHER_START, WRAPPED = "Row 0 is not the start", "Only whole turns are missing: never wrap angles"
 EVEN = "These are the rows at evenly spaced times: use the times in t"
 FROM_ZERO = "The start is taken at t = 0: it is the state at t[0]"
@@ -150,7 +152,7 @@ ALL_THE_LAST = "Every row is the last one: do you append one array, which you ch
 # rows of the right motion, with a mistake that may recur in later checks
 OF_TIMES = ONE_ROW_AHEAD, BEHIND, OTHER_START, WRAPPED, EVEN, FROM_ZERO, KEPT, OTHER_TIMES, ALL_THE_LAST
 FROM_ELSEWHERE = "The rows follow from one another, but not from the start: with which state do you begin?"
-OF_ROWS = *OF_TIMES, FROM_ELSEWHERE
+OF_ROWS = *OF_TIMES, SIGNS, FROM_ELSEWHERE
 JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )

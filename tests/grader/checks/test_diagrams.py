@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tam570_grader.checks.case import Case
-from tam570_grader.checks.diagrams import Force, FreeBody, compare_diagrams, complaint, weight
+from tam570_grader.checks.diagrams import INERTIAL, Force, FreeBody, NotAForce, compare_diagrams, complaint, weight
 from tam570_grader.checks.expect import Failed
 from tam570_grader.checks.returns import free_body_diagram, result
 from tam570_grader.protocol.wire import packed, portable, unpacked
@@ -77,6 +77,13 @@ WRONG_CYLINDERS = {
 @pytest.mark.parametrize("message", WRONG_CYLINDERS)
 def test_what_is_wrong_is_named(message):
     assert message in wrong(CYLINDER, WRONG_CYLINDERS[message])
+
+
+def test_an_arrow_along_m_a_is_named_as_one_too_many_or_in_place_of_another():
+    spring, inertial = Force("the pull", G, "G", (1, 0), sense=True), NotAForce(INERTIAL, G, (2, 1))
+    body = FreeBody("the mass", (PULL, spring), wrong=[inertial])
+    assert wrong(body, [(G, DOWN), (G, (1, 0)), (G, (2, 1))]) == INERTIAL
+    assert "along m a in place of the pull" in wrong(body, [(G, DOWN), (G, (2, 1))])
 
 
 def test_two_unknown_forces_each_have_both_components():

@@ -193,6 +193,7 @@ def test_where_the_function_cannot_be_asked_nobody_is_told_that_the_physics_is_r
         (lambda rows: 0 * rows + rows[-1], motions.ALL_THE_LAST),
         (lambda rows: np.vstack([rows[:1], swings(T[::20], RESTED + 0.5)[1:]]), motions.FROM_ELSEWHERE),
         (lambda rows: np.vstack([rows[:1] + 1, rows[1:]]), "Row 0 is not the start"),
+        (lambda rows: np.column_stack([abs(rows[:, 0]), rows[:, 1]]), motions.SIGNS),
     ],
 )
 def test_rows_of_another_order_are_told(change, message):
