@@ -109,14 +109,17 @@ BEND = at_rest_or_not("How much of the weight does a slope carry?", "How sharply
 
 
 def source_or(student, otherwise, case, force, expected=None):
-    """Return FollowsFrom lagrange_equation if the force makes the student's own x'' of it, else a hint."""
+    """Return FollowsFrom lagrange_equation if the force makes the student's own wrong x'' of it, else a hint."""
     (x, v), (mass, curvature, gravity) = case.args, (case.kwargs[name] for name in ("mass", "curvature", "gravity"))
     try:
         (a,) = student.lagrange_equation.at([{"x": x, "v": v, "c": curvature, "g": gravity}])
     except (Failed, NotWritten):
         return otherwise(case, force, expected)
     needed = mass * np.array([a, 2 * curvature * (v**2 + x * a) + gravity])
-    return FollowsFrom("lagrange_equation") if np.allclose(force, needed) else otherwise(case, force, expected)
+    is_wrong = not np.allclose(needed, reference.constraint_force(*case.args, **case.kwargs))
+    if is_wrong and np.allclose(force, needed):
+        return FollowsFrom("lagrange_equation")
+    return otherwise(case, force, expected)
 
 
 @check("constraint_force", points=0.75, part="b")
