@@ -179,14 +179,14 @@ def paths(rng):
 
 
 def plain_paths(rng):
-    """Return rest at any angle, the bottom and the top; uniform rotation without gravity; two samples and more."""
+    """Return rest at any angle, the bottom and the top; uniform rotation without gravity; three samples and more."""
     cases = []
     for theta in (rng.uniform(0.3, 2.8), 0.0, math.pi):
         samples, step = 2 * int(rng.integers(200, 300)), 10 ** rng.uniform(-3, -1)
         cases.append(Case(np.full(samples, theta), step, **parameters(rng)).labelled(describe(theta, 0.0, 1.0)))
     # chords in place of arcs are of second order, too; their error (omega step)^2/12 is a tenth of the tolerance
     pendulum, omega, step = parameters(rng, gravity=0.0), rng.uniform(-3, -1), 1e-3
-    for samples, few in ((5000, ""), (2, ", two samples"), (3, ", three samples")):
+    for samples, few in ((5000, ""), (3, ", three samples")):
         label = f"a pendulum that turns evenly, without gravity{few}"
         cases.append(Case(omega * step * np.arange(samples), step, **pendulum).labelled(label))
     return cases
