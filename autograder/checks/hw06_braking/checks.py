@@ -20,7 +20,7 @@ SLOW = 1e-3  # at 1e-6 m/s and more a guard against 0/0 (v + 1e-9) is still righ
 STOPPED = 5e-5  # of the braking distance; from AT_REST to the stop the share is the square, up to 1e-5
 SOME = 0.999  # a guard against 0/0 may remove any part of the friction at 1e-8 m/s, but not all of it
 SLOWEST = 0.05  # of the turning: students stop cars below 1e-2 of their speed at most
-AT_REST = 100 * STOPPED  # of the first speed: students may treat 1e-3 m/s as rest, and cars start from 0.4 m/s
+AT_REST = 100 * STOPPED  # of the first speed: students may treat 1e-3 m/s as rest, and cars start from 0.3 m/s
 
 compare = compare_with(reference, tolerance=FORMULA)
 

@@ -178,8 +178,8 @@ def simulate(reference, t, state, locked, **car):
 def simulate(reference, t, state, locked, **car):
     """You stop the car where its speed is zero; it may still turn, and rests only where both are zero."""
     rows = reference(t, state, locked, **car)
-    stopped = np.abs(rows[:, 3]) < 1e-3 * _sliding_speed(*state[3:], car["front"] + car["rear"])
-    first = np.argmax(stopped)
+    slow = 5e-4 * _sliding_speed(*state[3:], car["front"] + car["rear"])
+    first = np.argmax(rows[:, 3] * np.sign(state[3]) < slow)
     if first:
         rows[first:] = [*rows[first, :3], 0.0, 0.0]
     return rows
