@@ -504,6 +504,31 @@ def test_it_takes_few_steps(rate, end, method, most):
     assert report.steps + report.refusals < most
 
 
+def smooth_window(width):
+    """Return a window of t about 6.1 with an integral of 1; it is as smooth as a cubic spline."""
+    return lambda t: 315 / 256 / width * max(0.0, 1 - ((t - 6.1) / width) ** 2) ** 4
+
+
+FROM_ZERO = {  # pulses of t about 6.1 with an integral of 1
+    "a window": smooth_window(0.1),
+    "a short window": smooth_window(0.01),
+    "a shorter window": smooth_window(1e-3),
+    "logistic": lambda t: 1e3 / (1 + math.exp(min(700, 1e5 * (6.0995 - t)))) / (1 + np.exp(1e5 * (t - 6.1005))),
+    "a tooth": lambda t: np.interp(t, [0, 6.099, 6.1, 6.101, 10], [0, 0, 1e3, 0, 0]),
+}
+
+
+@pytest.mark.parametrize("rtol", first(1, [RTOL, 1e-6, 1e-12]))
+@pytest.mark.parametrize("name", FROM_ZERO)
+def test_a_brief_pulse_moves_what_starts_at_zero(name, rtol):
+    pulse = FROM_ZERO[name]
+    for start in (0.0, 1e-60):
+        end = solve(lambda t, y: (y[1], float(pulse(t))), [0, 10], [start, start], rtol=rtol)[-1]
+        assert end == pytest.approx([3.9, 1.0], rel=100 * rtol)
+        backwards = solve(lambda t, y: (float(pulse(t)),), [10, 0], [start], rtol=rtol)[-1]
+        assert backwards == pytest.approx([-1.0], rel=100 * rtol)
+
+
 @pytest.mark.parametrize("rtol", first(1, [RTOL, 1e-12]))
 def test_what_jumps_all_the_time_is_soon_refused(rtol):
     calls = itertools.count()
@@ -648,6 +673,7 @@ REFUSED = {  # name: (rates, times, start, words of the message, the exception i
     "a generator": (lambda t, y: (-v for v in y), (0, 1), [1.0], "generator", ValueError),
     "a blow from rest": (struck(1e-10), (0, 3), [0.0, 0.0], "pulse"),
     "a brief pulse": (lambda t, y: (math.exp(-((t - 2.2) ** 2) * 1e20) * 1e10,), (0, 5), [1.0], "rounding of time"),
+    "a brief pulse from zero": (lambda t, y: (smooth_window(1e-9)(t),), (0, 10), [0.0], "rounding of time"),
     "a brief tooth": (lambda t, y: (max(0, 1e10 - 1e20 * abs(t - 2.2)),), (0, 5), [1.0], "rounding of time"),
     "one rate of seven digits": (lambda t, y: (y[1], -np.float32(y[0])), (0, 3), [1.0, 0.0], "no float32"),
     "seven digits": (lambda t, y: np.array([y[1], -y[0]], dtype=np.float32), (0, 9), [1.0, 0.0], "float64", ValueError),

@@ -11,7 +11,7 @@ import numpy as np
 from tam570.integrate.adaptive_loop import COARSE_CLOCK, FINEST, LARGEST, RUNNING, SETS_IN, STOPPED, State, is_blurred
 from tam570.integrate.arguments import SMALLEST_RTOL, Array
 from tam570.integrate.engine import Engine, Mistraced
-from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale
+from tam570.integrate.error_scale import NO_SCALE, SHARE, Rates, error_scale, grown_scale
 from tam570.integrate.rates import TRIAL_ERRORS, check_start
 from tam570.integrate.watch import (
     COMPILED,
@@ -162,7 +162,17 @@ def _integrate(
         through = max(row, int(np.searchsorted(times, stop, side="right")))
         ends = [] if through > row and times[through - 1] == stop else [stop]
         run = start_run(engine, np.concatenate([[t], times[row:through], ends]), y, control, estimate)
-        _run_stretch(run, how, a)
+        try:
+            _run_stretch(run, how, a)
+            if engine.is_traced and run.last.halt == RUNNING and stop < end:
+                _check_rounding(engine, stop, run.last, control.rtol)
+        except ArithmeticError:
+            grown = _grown(run, end)
+            if grown is None:
+                raise
+            run.last = run.last._replace(a=grown, halt=SETS_IN)
+            if engine.switches:
+                engine.switches.expected = -math.inf  # the refused steps predicted it
         last = run.last
         if last.halt == SETS_IN:
             stop = run.origin + last.t
@@ -173,13 +183,25 @@ def _integrate(
         if last.halt == STOPPED or last.row == len(run.rows) and stop >= end:
             break
         t, y, row, a = stop, np.array(last.y), row + reached, last.a
-        if engine.is_traced:
-            _check_rounding(engine, t, last, control.rtol)
         control = control._replace(first_step=None)
     _check_history(engine, run.origin + last.t, np.array(last.y), float(times[0]), control.rtol)
     if control.project:
         rows[1:] = [control.project(state) for state in rows[1:]]
     return Solution(rows, last._replace(t=run.origin + last.t), "compiled" if how == "compiled" else "Python")
+
+
+def _grown(run: Run, end: float) -> tuple[float, ...] | None:
+    """Return larger tolerances if a force that sets in moves a component far beyond its scale; None otherwise."""
+    last, control, engine, t = run.last, run.control, run.engine, run.origin + run.last.t
+    if control.atol or not engine.formulas.timed:
+        return None
+    sizes = [abs(v) + a / (SHARE * control.rtol) for v, a in zip(last.y, last.a, strict=True)]
+    try:
+        grown = grown_scale(engine.functions["rhs"], t, end, last.y, sizes, [True] * len(sizes), engine.constants)
+    except TRIAL_ERRORS:
+        return None
+    each = zip(grown, sizes, last.a, strict=True)
+    return tuple(SHARE * control.rtol * new if new > size else a for new, size, a in each) if grown != sizes else None
 
 
 def _check_rounding(engine: Engine, t: float, last: State, rtol: float) -> None:
@@ -353,6 +375,8 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         doublings = int(math.log(span / h, 4)) + 1 if engine.formulas.timed else 0
         later = [t + h * 4.0**k for k in range(doublings)]  # times at which a force may set in
         sizes = error_scale(rhs, t, h, y, g, c, later)
+        if min(sizes) <= NO_SCALE and engine.formulas.timed:  # a force that sets in at once, and ends before t + h
+            sizes = grown_scale(rhs, t, origin + span, y, sizes, [size <= NO_SCALE for size in sizes], c)
         if min(sizes) <= NO_SCALE:  # a Hertz contact, which no small change reveals
             zeros = (0.0,) * len(y)
             n = engine.functions["step"](t, h, y, zeros, g, sizes, zeros, run.rtol, c)[0]

@@ -8,6 +8,9 @@ The coupling acts for the longest duration in which it changes no component that
 this scale (tested with changes by a small fraction of the scales and by an eighth); if it never does, for the first
 step. So a scale is too small rather than too large: too small costs steps, too large costs digits. A component that is
 smaller than the round-off of what drives it counts as zero.
+
+A component that starts at zero may be moved by a pulse that begins later, at 1e-300, or that lies between such times.
+If round-off then allows no step, its scale grows to the size to which this pulse moves it.
 """
 
 import math
@@ -21,6 +24,8 @@ EPS = 2.0**-52
 PART = 2.0**-20  # change of each component to test the coupling, as a fraction of its scale
 COARSE = 0.125  # the same, to detect scales so large that the rates are no longer linear in the change
 LONG, SHORT = 4096.0, 1e-9  # longest and shortest duration of the coupling, in units of h
+SOONEST = 1e-15  # part of the run after which a force is sought first
+BISECTIONS = 12  # to find when a force sets in
 CALM = 4.0  # largest change by coupling of a component that has a scale, in units of this scale
 
 Floats = Sequence[float]
@@ -42,7 +47,8 @@ def _driven_sizes(
     rhs: Rates, t: float, h: float, y: Floats, f: Floats, own_sizes: list[float], c: Numbers, later: Numbers
 ) -> list[float]:
     """Return the scales; those that are zero are estimated from the coupling and from forces at later times."""
-    moved = _moved_by(rhs, t, h, y, f, own_sizes, c)
+    base = rhs(t, y, c)  # f is without ramps
+    moved = _moved_by(rhs, t, h, y, base, own_sizes, c)
     sizes = [0.0 if size < EPS * most else size for size, most in zip(own_sizes, moved, strict=True)]
     forces, duration, best = [0.0] * len(sizes), LONG * h, sizes
     for time in (None, *later):
@@ -51,7 +57,7 @@ def _driven_sizes(
         spread = None
         while spread is None and duration > SHORT * h:
             moved = [max(size, h * a) for size, a in zip(sizes, forces, strict=True)]
-            spread = _spread(rhs, t, duration, y, f, moved, c)
+            spread = _spread(rhs, t, duration, y, f, base, moved, c)
             if duration == LONG * h and spread:  # the coupling is weak
                 duration, spread = h, None
             else:
@@ -62,8 +68,46 @@ def _driven_sizes(
     return best
 
 
+def grown_scale(
+    rhs: Rates, t: float, end: float, y: Floats, sizes: Floats, may_grow: Sequence[bool], c: Numbers
+) -> list[float]:
+    """Return (k,) scales if a force sets in after t and before `end`; `sizes`, the scales at t, if none does.
+
+    A force sets in if the rate of a component that may grow becomes LONG times larger, and so does its size. The force
+    counts at the first time after which it grows no further, of times each four times as far from t as the last.
+    """
+    base, h, found, forces = rhs(t, y, c), max(2.0**-50 * abs(t), SOONEST * (end - t)), 0.0, [0.0] * len(y)
+    limits = [LONG * abs(rate) if grows else math.inf for rate, grows in zip(base, may_grow, strict=True)]
+
+    def forces_at(h: float) -> list[float]:
+        each = zip(map(_finite, rhs(t + h, y, c)), limits, sizes, strict=True)
+        return [rate if rate > limit and h * rate > LONG * size else 0.0 for rate, limit, size in each]
+
+    while t + h < end:
+        later = forces_at(h)
+        if any(new > force for new, force in zip(later, forces, strict=True)):
+            found, forces = h, later
+        elif found:
+            break
+        h *= 4.0
+    if not found:
+        return list(sizes)
+    low, high = found / 4.0, found  # the force was a small part of this
+    for _ in range(BISECTIONS):
+        h = (low + high) / 2.0
+        is_on = any(0.0 < force < LONG * new for new, force in zip(forces_at(h), forces, strict=True))
+        low, high = (low, h) if is_on else (h, high)
+    duration, driven = found - low, None
+    own_sizes = [duration * a if grows else size for a, size, grows in zip(forces, sizes, may_grow, strict=True)]
+    f = [0.0 if grows else rate for rate, grows in zip(base, may_grow, strict=True)]
+    while driven is None and duration > SHORT * found:
+        driven, duration = _spread(rhs, t, duration, y, f, base, own_sizes, c), duration / 4.0
+    each = zip(sizes, driven or sizes, may_grow, strict=True)
+    return [new if grows and new > CALM * size else size for size, new, grows in each]
+
+
 def _spread(
-    rhs: Rates, t: float, duration: float, y: Sequence[float], f: Sequence[float], own_sizes: list[float], c: Numbers
+    rhs: Rates, t: float, duration: float, y: Floats, f: Floats, base: Floats, own_sizes: list[float], c: Numbers
 ) -> list[float] | None:
     """Return scales by coupling for `duration`, s; None if it changes a scale that is not zero too much."""
     sizes = [
@@ -72,14 +116,14 @@ def _spread(
     ]
     is_own = [size > NO_SCALE for size in sizes]
     for _ in range(len(sizes) + 1):
-        moved = _moved_by(rhs, t, duration, y, f, sizes, c)
+        moved = _moved_by(rhs, t, duration, y, base, sizes, c)
         grows = [new > max(CALM * size, NO_SCALE) for size, new in zip(sizes, moved, strict=True)]
         if any(is_fixed and more for is_fixed, more in zip(is_own, grows, strict=True)):
             return None
         if not any(grows):
             break
         sizes = [new if more else size for size, new, more in zip(sizes, moved, grows, strict=True)]
-    coarse = _moved_by(rhs, t, duration, y, f, sizes, c, COARSE)
+    coarse = _moved_by(rhs, t, duration, y, base, sizes, c, COARSE)
     if any(size > NO_SCALE and not new <= CALM * size for size, new in zip(sizes, coarse, strict=True)):
         return None
     return [size if size > NO_SCALE else new for size, new in zip(own_sizes, sizes, strict=True)]
