@@ -2,8 +2,11 @@
 
 rtol, atol
     If you omit atol, it is a quarter of rtol times the scale of each component: its size at the start, or, if it starts
-    at zero, the size to which its rate, time or other components first move it. `report` returns atol. Errors that
-    round-off causes in any case are tolerated, so rtol = 1e-14 gives all digits that round-off permits.
+    at zero, the size to which its rate, time or other components first move it. If a pulse then moves it so far beyond
+    this scale that round-off allows no step, the scale grows to the size of this motion. `report` returns atol. Errors
+    that round-off causes in any case are tolerated, so rtol = 1e-14 gives all digits that round-off permits. If a
+    component falls far below its atol and then grows again, as in y' = (t - 10) y, its error grows by the same factor:
+    give atol=0.
 method
     "auto" starts like "python", counts its steps, and starts again like "compiled" (with llvmlite, if installed) if so
     many steps remain that compilation is worthwhile. With events or dense it is always "python". The same call gives
@@ -118,7 +121,8 @@ def solve(
     parameters : mapping, optional
         Keyword arguments of rhs.
     rtol, atol : float, atol also (k,)
-        The local error of a step may be atol + rtol * abs(y). If you omit atol, it follows from the start.
+        The local error of a step may be atol + rtol * abs(y). If you omit atol, it follows from the start. Give
+        atol=0 if a component falls far below its size at the start and then grows again.
     method : str
         "auto", "python" or "compiled"; or, with a fixed step for long conservative runs, "gauss" or "composition".
     step : float, optional
