@@ -675,7 +675,8 @@ REFUSED = {  # name: (rates, times, start, words of the message, the exception i
     "a brief pulse": (lambda t, y: (math.exp(-((t - 2.2) ** 2) * 1e20) * 1e10,), (0, 5), [1.0], "rounding of time"),
     "a brief pulse from zero": (lambda t, y: (smooth_window(1e-9)(t),), (0, 10), [0.0], "rounding of time"),
     "a brief tooth": (lambda t, y: (max(0, 1e10 - 1e20 * abs(t - 2.2)),), (0, 5), [1.0], "rounding of time"),
-    "one rate of seven digits": (lambda t, y: (y[1], -np.float32(y[0])), (0, 3), [1.0, 0.0], "no float32"),
+    "one rate of seven digits": (lambda t, y: (y[1], -np.float32(y[0])), (0, 3), [1.0, 0.0], "float64", ValueError),
+    "three digits": (lambda t, y: (np.float16(y[1]), -y[0]), (0, 3), [1.0, 0.0], "float64", ValueError),
     "seven digits": (lambda t, y: np.array([y[1], -y[0]], dtype=np.float32), (0, 9), [1.0, 0.0], "float64", ValueError),
     "a table that holds": (table, (0, 3), [0.0], f"{TO_AND_FRO}0.3"),
     "friction that holds a start": (lambda t, y: (y[1], -y[0] - 5 * np.sign(y[1])), (0, 3), [1.0, 0.0], TO_AND_FRO),
@@ -695,6 +696,30 @@ def test_what_has_no_answer_is_said(name):
     rhs, span, start, words, *error = REFUSED[name]
     with pytest.raises(*error or [ArithmeticError], match=words):
         solve(rhs, span, start, rtol=RTOL)
+
+
+def test_constants_of_seven_digits_are_right():
+    states = solve(lambda t, y: (np.float32(1.5 if t < 1 else -0.5), 2.0), [0, 3], [0.0, 0.0], rtol=RTOL)
+    assert states[-1] == pytest.approx([0.5, 6.0], rel=RTOL)
+
+
+@pytest.mark.parametrize(("width", "rtol"), [(0.1, 1e-6), (0.1, 1e-12), (1e-3, 1e-6)])
+def test_fixed_steps_resolve_a_pulse(width, rtol):
+    centred = {"centre": 3.3, "width": width}
+    state = solve(narrow, [0, 10], [0.0, 0.0], parameters=centred, method="gauss", rtol=rtol)[-1]
+    blow = math.sqrt(math.pi) * math.exp(-(width**2) / 4)
+    assert state == pytest.approx([blow * math.sin(6.7), blow * math.cos(6.7)], rel=100 * rtol)
+    with pytest.raises(ValueError, match=r'^method: .* too many; try "auto"'):
+        solve(narrow, [0, 10], [0.0, 0.0], parameters={"centre": 3.3, "width": 1e-8}, method="gauss", rtol=rtol)
+
+
+@pytest.mark.parametrize("method", ["gauss", "composition"])
+@pytest.mark.parametrize("options", [{"rtol": 1e-6}, {"rtol": RTOL}, {"step": 0.01}])
+def test_fixed_steps_end_where_the_solution_becomes_infinite(method, options):
+    with pytest.raises(ArithmeticError, match=rf"{AT_1}.*infinite"):
+        solve(lambda t, y: (y[1], 6 * y[0] ** 2), [0, 1.5], [1.0, 2.0], method=method, **options)
+    with pytest.raises(ArithmeticError, match="steps of 3 s are too long near t = 0: give a shorter"):
+        solve(lambda t, y: (y[1], -math.exp(9 * math.sin(y[0]))), [0, 6], [1.0, 0.0], method="gauss", step=3.0)
 
 
 def test_no_step_is_longer_than_asked_for():

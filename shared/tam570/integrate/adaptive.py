@@ -38,6 +38,7 @@ AFTER_A_JUMP = 6  # consecutive steps with the largest growth that indicate a ju
 FOREVER = 2**62  # steps
 SOON = 1e-8  # duration of a ramp, as a fraction of the run
 NEARBY = 16.0  # in shortest steps, distance at which rates near a failure are compared
+SETTLED, MEASURED = 5, 200  # first steps, which may be too short; attempts that measure the shortest step
 RAMP = 1e-3  # of the rate soon after the start; a smaller rate at the start counts as zero
 
 
@@ -106,8 +107,7 @@ def integrate(engine: Engine, times: Array, start: Array, how: str, control: Con
     Raise ArithmeticError, with the time, if rates or state are no longer finite, or the equations become stiff.
     """
     check_clock(engine, times, start, control.rtol)
-    if engine.switches:
-        engine.switches.begin(control.rtol)
+    engine.begin(control.rtol)
     in_python = control.project is not None or control.on_step is not None
     if how == "compiled" and (in_python or engine.graph is None):
         raise ValueError('method: "compiled" needs an rhs without branches or conversions, and no project; try "auto"')
@@ -154,8 +154,6 @@ def _integrate(
     t, y, row, end = float(times[0]), start, 1, float(times[-1])
     a: Sequence[float] = ()
     steps = refusals = 0
-    if engine.called_rates is not None:
-        engine.called_rates.check_digits(control.rtol)
     control = of_steps(engine, control)
     while True:
         stop = engine.next_break(t, float(times[0]), end)
@@ -428,32 +426,55 @@ def _restless(h: float, y: Numbers, f: Numbers, g: Numbers, part: float) -> bool
 
 
 def shortest_step(engine: Engine, times: Array, start: Array, control: Control) -> float:
-    """Return the shortest step, s, of this method after its first steps.
+    """Return the shortest step, s, of this method after its first steps, and near the times where rates may change.
 
-    Raise ValueError if the rates jump: at a switch, or if the steps grow as fast as allowed after short ones.
+    Raise ValueError if the rates jump, or the error of the run if its steps become far too short, as at a pole.
     """
-    span = float(times[-1] - times[0])
-    run = start_run(engine, times[[0, -1]], start, control)
-    state, shortest = start_state(run), span
-    last, growing = span, 0
-    for step in range(200):
+    begin, end = float(times[0]), float(times[-1])
+    t, y, shortest, allowed, settled = begin, start, end - begin, 0.0, SETTLED
+    a: Sequence[float] = ()
+    while t < end:
+        stop = engine.next_break(t, begin, end)
+        run = start_run(engine, np.array([t, stop]), y, control)
+        state = start_state(run, a)
+        run.last = state._replace(h=max(state.h, allowed))
+        shortest, allowed = _measured(run, shortest, settled, MEASURED * (10 if stop < end else 1))
+        t, y, a = t + run.last.t if run.last.halt == SETS_IN else stop, np.array(run.last.y), run.last.a
+        settled = max(settled - run.last.steps, 0)
+    return shortest
+
+
+def _measured(run: Run, shortest: float, settled: int, attempts: int) -> tuple[float, float]:
+    """Run for a number of attempts; return the shortest step, s, after `settled` steps, and the step that may follow.
+
+    shortest : of earlier stretches. If the steps become far too short, make more attempts, until the run says why.
+    """
+    engine, state, span = run.engine, run.last, float(run.since[-1])
+    last, growing, allowed = span, 0, state.h
+    for step in range(10 * MEASURED):
+        if state.row == 2 or state.halt or step >= attempts and span < COMPILED * shortest:
+            break
         before = state
         state = step_n(run, engine.functions["advance"], [0.0, span], lambda *_: None, state, 1)
+        at_switch = engine.switches is not None and engine.switches.is_near
         if state.halt not in (RUNNING, SETS_IN):
             _give_up(run, state)
-        at_switch = engine.switches is not None and engine.switches.is_near
-        if state.row == 2 or state.halt and not at_switch:
-            break
-        if state.t > before.t or at_switch:  # accepted, not refused
-            length = state.t - before.t
-            growing = growing + 1 if length > 0.9 * LARGEST * last and state.refusals else 0
-            if growing == AFTER_A_JUMP or at_switch:
-                where = engine.sign * (run.origin + state.t)
-                raise ValueError(
-                    f'method: steps of one length do not pass the jump of rhs near t = {where:.6g}; try "auto"'
-                )
-            shortest, last = min(shortest, length) if step > 5 else shortest, length
-    return shortest
+        if state.t == before.t and not at_switch:  # refused
+            continue
+        length = state.t - before.t
+        growing = growing + 1 if length > 0.9 * LARGEST * last and state.refusals else 0
+        if (growing == AFTER_A_JUMP or at_switch) and state.row < 2:
+            where = engine.sign * (run.origin + state.t)
+            raise ValueError(
+                "method: steps of one length do not pass the short pulse or "
+                f'jump of rhs near t = {where:.6g}; try "auto"'
+            )
+        is_limited, is_cut = state.h < 0.9 * LARGEST * length, 2 * before.h >= span - before.t
+        allowed = state.h if is_limited else max(state.h, before.h)
+        if step > settled:
+            shortest = min(shortest, allowed if is_cut else length)
+        last = length
+    return shortest, allowed
 
 
 def ensemble(engine: Engine, times: Array, starts: Array, how: str, control: Control) -> Array:

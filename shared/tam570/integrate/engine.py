@@ -4,6 +4,7 @@ Traced engines are memoized by the key of the right-hand side. Each was compared
 built; an equal key means that none of its dependencies has changed since.
 """
 
+from bisect import bisect_right
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
 
@@ -39,6 +40,12 @@ class Engine:
     called_rates: CalledRates | None = None
     switches: Switches | None = None
 
+    def begin(self, rtol: float) -> None:
+        """Prepare called rates for a new run."""
+        if self.called_rates and self.switches:
+            self.called_rates.begin(rtol)
+            self.switches.begin(rtol)
+
     @property
     def is_traced(self) -> bool:
         return self.graph is not None
@@ -54,7 +61,9 @@ class Engine:
         """
         if self.graph is None or not self.formulas.timed:
             return end
-        return next((time for time in breaks_of(self.graph, begin, end) if time > t), end)
+        breaks = breaks_of(self.graph, begin, end)
+        later = bisect_right(breaks, t)
+        return breaks[later] if later < len(breaks) else end
 
 
 def engine(
@@ -81,7 +90,7 @@ def engine(
         forward = bound(rhs, parameters)
         rates: Rates = forward if sign > 0 else lambda t, y: [-1.0 * rate for rate in forward(-t, y)]
         called_rates = CalledRates(rates, len(start))
-        called_rates.dtype = check_start(forward, sign * float(times[0]), start, 1.0)
+        check_start(forward, sign * float(times[0]), start, 1.0)
         return called_rates
 
     try:

@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable
 from decimal import Decimal, localcontext
 from functools import cache, lru_cache, partial
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
@@ -19,11 +20,12 @@ from tam570.integrate.adaptive import FOREVER, Control, shortest_step
 from tam570.integrate.arguments import Array
 from tam570.integrate.engine import Engine
 from tam570.integrate.formulas import Formulas, halves, names, tuple_of, unpacked
-from tam570.integrate.watch import repays
+from tam570.integrate.watch import COMPILED, repays
 from tam570.values import Function, Numbers
 
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step size in units of the shortest step of DOP853 at the same rtol
 SWEEPS = {"gauss": 0.7, "composition": 0.1}  # passes through the source per step, over the 12 stages of `repays`
+AHEAD = 10.0  # steps, in which adaptive steps may show why a step has no finite end
 DIGITS = 45  # decimal digits of the tableau before it is split
 NODES = """0.033765242898423986093849222753002695432617131144 0.169395306766867743169300202490047326496775717802
 0.380690406958401545684749139159644032290694684930"""  # zeros of Legendre's polynomial on (0, 1), first half
@@ -42,6 +44,7 @@ class FixedState(NamedTuple):
     y: tuple[float, ...]
     r: tuple[float, ...]  # compensation: round-off lost from y (Kahan)
     k: tuple[float, ...]  # initial guess for the stages of the next step
+    halt: int = 0  # 1 if the next step has no finite end
 
 
 def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
@@ -50,25 +53,30 @@ def fixed_loop_with(leap: Function) -> Callable[..., FixedState]:
     def march(
         origin: Numbers, times: Numbers, out: Numbers, state: Numbers, c: Numbers, h: Numbers, budget: Numbers
     ) -> Numbers:
-        """Fill the rows of `out` until none is left or `budget` steps are done.
+        """Fill the rows of `out` until none is left, `budget` steps are done, or a step has no finite end.
 
         times : since `origin`; state : a `FixedState`, as returned. A sample inside a step is computed by an
         extra, shorter step from the start of the step.
         """
-        row, done, y, r, k = state
-        while row < len(times) and budget > 0:
+        row, done, y, r, k, halt = state
+        while row < len(times) and budget > 0 and halt == 0:
             budget -= 1
             t = done * h  # not a running sum, whose round-off would grow
             n, rest, onward = leap(origin + t, h, y, r, k, c)
-            while row < len(times) and times[row] <= t + h * (1.0 + 2.0**-40):
+            size = 0.0
+            for i in range(len(n)):
+                size += abs(n[i])
+            halt = 0 if size < inf else 1
+            while halt == 0 and row < len(times) and times[row] <= t + h * (1.0 + 2.0**-40):
                 sample = n
                 if times[row] < t + h * (1.0 - 2.0**-40):  # else the sample is at the end, up to round-off
                     sample = leap(origin + t, times[row] - t, y, r, k, c)[0]
                 for i in range(len(n)):
                     out[row, i] = sample[i]
                 row += 1
-            y, r, k, done = n, rest, onward, done + 1
-        return FixedState(row, done, y, r, k)
+            if halt == 0:
+                y, r, k, done = n, rest, onward, done + 1
+        return FixedState(row, done, y, r, k, halt)
 
     return march
 
@@ -159,8 +167,9 @@ def _collocation(formulas: Formulas, number: int, row: list[Pair], node: float) 
 
 
 def states(method: str, engine: Engine, times: Array, start: Array, control: Control, step: float | None) -> Array:
-    """Return (n, k) states at `times`; ArithmeticError if the stages do not converge at this step size."""
-    rows = np.empty((len(times), len(start)))
+    """Return (n, k) states at `times`; ArithmeticError, with the reason, if a step has no finite end."""
+    engine.begin(control.rtol)
+    rows = np.full((len(times), len(start)), math.nan)
     rows[0] = start
     origin, since = float(times[0]), times - times[0]
     listed, h = since.tolist(), _step(method, engine, times, start, control, step)
@@ -173,7 +182,7 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
         return march(origin, since, rows, state, constants, h, budget)
 
     def share(state: Numbers) -> float:
-        return 1.0 if state.row == len(rows) else min(state.done * h / listed[-1], 0.999)
+        return 1.0 if state.row == len(rows) or state.halt else min(state.done * h / listed[-1], 0.999)
 
     y = tuple(start.tolist())
     stages = engine.functions["rhs"](origin, y, engine.constants) * len(gauss_tableau()[2])
@@ -184,13 +193,15 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
             from tam570.integrate.compiled import backend
 
             compiled = backend.fixed(source, len(start), len(state.k), len(constants))
-            backend.by_moments(partial(run, compiled, since), share, state)
+            last = backend.by_moments(partial(run, compiled, since), share, state)
         except (ImportError, OSError, RuntimeError):  # llvmlite is broken: continue in Python
-            run(python, listed, state, FOREVER)
+            last = run(python, listed, state, FOREVER)
     else:
-        run(python, listed, state, FOREVER)
-    if not np.isfinite(rows).all():
-        raise ArithmeticError(f"the stages do not settle at a step of {h:.3g} s: give a shorter `step`")
+        last = run(python, listed, state, FOREVER)
+    if last.halt or not np.isfinite(rows).all():
+        t = origin + last.done * h
+        shortest_step(engine, np.array([t, t + AHEAD * h]), np.array(last.y), control)  # it raises a better reason
+        raise ArithmeticError(f"steps of {h:.3g} s are too long near t = {engine.sign * t:.6g}: give a shorter `step`")
     return rows
 
 
@@ -200,6 +211,11 @@ def _step(method: str, engine: Engine, times: Array, start: Array, control: Cont
         raise ValueError(f"step: must be positive and finite, got {step!r}")
     span = float(times[-1] - times[0])
     longest = step or METHODS[method] * shortest_step(engine, times, start, control)
+    if step is None and span > COMPILED * longest:
+        raise ValueError(
+            f"method: {span / longest:.1g} steps of one length, {longest:.1g} s, are too many; "
+            'try "auto", or give a longer `step`'
+        )
     return span / math.ceil(span / longest)
 
 

@@ -21,6 +21,7 @@ Rates = Callable[[float, Numbers], Numbers]
 ROUNDED = 4.0  # units in the last place of t, because two calls may round the same time differently
 FEW_DIGITS = 8.0  # smallest rtol in units of the round-off of the rates; below it, steps would resolve round-off
 PLAIN = {float, int, np.float64}
+SHORT, CONSTANTS = (np.float32, np.float16), 10  # values of such types; more different ones are no constants
 TRIAL_ERRORS = (ArithmeticError, ValueError, LookupError)  # a step that is too long may leave the domain
 
 
@@ -46,14 +47,12 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
     return lambda t, y: rhs(t, y, **fixed)
 
 
-def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numbers]:
-    """Return the dtype of the rates at the start. sign : -1 if the engine's time is -t.
+def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
+    """Raise ValueError or RhsError unless rhs returns as many finite real numbers as y0 has, twice the same.
 
-    Raise ValueError or RhsError unless rhs returns as many finite real numbers as y0 has, twice the same.
+    sign : -1 if the engine's time is -t
     """
-    value = rates(t, y0.copy())
-    at_start, dtype = _checked(value, len(y0)), np.asarray(value).dtype
-    repeated = _checked(rates(t, y0.copy()), len(y0))
+    at_start, repeated = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
     if not np.isfinite(at_start).all():
         raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t + 0.0:g}; is the start allowed?")
     if (at_start != repeated).any():
@@ -61,7 +60,6 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> np.dtype[Numb
             f"rhs: gives {at_start.tolist()} and then {repeated.tolist()} at the start; "
             "it must not be random, nor remember earlier calls"
         )
-    return dtype
 
 
 @lru_cache(maxsize=256)
@@ -79,13 +77,13 @@ def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
 class CalledRates:
     """Calls rates(t, y) with arrays, as SciPy does, and returns floats.
 
-    dtype : of the rates at the start; error : the last exception that they raised
-    unused : a copy of the rates from before the first call
+    error : the last exception that they raised; unused : a copy of the rates from before the first call
+    rtol : of the run; short : the different float32 or float16 values in the rates so far
     """
 
     def __init__(self, rates: Rates, size: int) -> None:
         self.rates, self.size = rates, size
-        self.dtype: np.dtype[Numbers] = np.dtype(float)
+        self.begin(math.inf)
         self.unused = copy_of(rates)
         self.error: Exception | None = None
 
@@ -96,14 +94,28 @@ class CalledRates:
         except TRIAL_ERRORS as error:
             self.error = error
             raise
-        return _floats(value, self.size)
+        plain = _plain(value, self.size)
+        if plain is not None:
+            return plain
+        checked = _checked(value, self.size)
+        self._check_digits(value)
+        return checked.tolist()  # type: ignore[no-any-return]
 
-    def check_digits(self, rtol: float) -> None:
-        """Raise RhsError if the rates are float32 or shorter, with too few digits for rtol."""
-        rounding = float(np.finfo(self.dtype).eps) if self.dtype.kind == "f" and self.dtype.itemsize < 8 else 0.0
-        if rtol < FEW_DIGITS * rounding:
+    def begin(self, rtol: float) -> None:
+        """Reset for a new run."""
+        self.rtol = rtol
+        self.short: set[tuple[float, ...]] = set()
+
+    def _check_digits(self, value: Numbers) -> None:
+        """Raise RhsError if some rates are float32 or float16, with too few digits for rtol, and no constants."""
+        short = [rate for rate in map(np.asarray, value) if rate.dtype in SHORT]
+        rounding, name = max(((float(np.finfo(rate.dtype).eps), rate.dtype.name) for rate in short), default=(0.0, ""))
+        if self.rtol >= FEW_DIGITS * rounding:
+            return
+        self.short.add(tuple(map(float, short)))
+        if len(self.short) > CONSTANTS:
             raise RhsError(
-                f"rhs: returns {self.dtype.name}, whose rounding of {rounding:.1g} is more than rtol = {rtol:.1g} "
+                f"rhs: returns {name}, whose rounding of {rounding:.1g} is more than rtol = {self.rtol:.1g} "
                 f"allows; let it compute with float64, or give rtol = {FEW_DIGITS * rounding:.1g}"
             )
 
@@ -150,7 +162,8 @@ def _memory_error(f: Sequence[float], g: Sequence[float]) -> RhsError:
     )
 
 
-def _floats(value: Numbers, size: int) -> Sequence[float]:
+def _plain(value: Numbers, size: int) -> Sequence[float] | None:
+    """Return the rates as floats if their types need no check, else None."""
     if type(value) is np.ndarray and value.dtype == float and value.shape == (size,):
         return value.tolist()  # type: ignore[no-any-return]
     if type(value) in (tuple, list) and len(value) == size:
@@ -159,7 +172,7 @@ def _floats(value: Numbers, size: int) -> Sequence[float]:
             return value  # type: ignore[no-any-return]
         if types <= PLAIN:
             return [*map(float, value)]
-    return _checked(value, size).tolist()  # type: ignore[no-any-return]
+    return None
 
 
 def is_same(rates: Rates, written: Function, constants: tuple[float, ...], times: Array, y0: Array) -> bool:
