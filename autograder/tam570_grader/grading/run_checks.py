@@ -26,7 +26,16 @@ from tam570_grader.checks.student import StudentFunction
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.helper_factor import same_factor
-from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, explains, is_motion, same, solution_with
+from tam570_grader.diagnosis.mistakes import (
+    WITHIN,
+    answer,
+    computed,
+    explains,
+    is_motion,
+    same,
+    solution_with,
+    tolerance_of,
+)
 from tam570_grader.diagnosis.mutants import names_reached
 from tam570_grader.diagnosis.search import shared_mutants
 from tam570_grader.grading.budget import budget
@@ -438,10 +447,14 @@ def _following(run: _Run, check: Check, earlier: Sequence[Cause]) -> Cause | Non
 
 
 def _judge_consequences(run: _Run) -> None:
-    """Run the checks that a diagnosed mistake blocked: full points if they pass, a share if they fail only by it."""
-    for check in run.assignment.checks if run.causes else ():
+    """Run the checks that a failure blocked: full points if they pass, a share if they fail only by its cause.
+
+    A failure without a cause still blocks if the function was wrong for all inputs: later checks may pass by chance.
+    """
+    judged = {*run.causes, *(check.name for check, _, calls in run.unnamed if _is_right_once(run.assignment, calls))}
+    for check in run.assignment.checks if judged else ():
         before = {other.name: run.results[other.name] for other in check.after}
-        ready = all(result.unlocks_dependents or name in run.causes for name, result in before.items())
+        ready = all(result.unlocks_dependents or name in judged for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
             causes = [cause for cause in causes if cause.follows_from != cause.function]  # the others repeat a cause
@@ -452,6 +465,18 @@ def _judge_consequences(run: _Run) -> None:
             except BudgetSpent:
                 return
             run.results[check.name] = result or run.results[check.name]
+            judged |= run.causes.keys() & {check.name}
+
+
+def _is_right_once(assignment: LoadedAssignment, calls: Sequence[Call]) -> bool:
+    """Return whether a call gave the right numbers, other than zeros."""
+    return any(
+        call.result is not None
+        and any(np.any(part) for part in parts(call.result))
+        and same(call.result, answer(assignment.solution, "", call), tolerance_of(call))
+        for call in calls
+        if not _is_drawn(assignment, call)
+    )
 
 
 def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResult | None:
