@@ -438,7 +438,8 @@ def shortest_step(engine: Engine, times: Array, start: Array, control: Control) 
         run = start_run(engine, np.array([t, stop]), y, control)
         state = start_state(run, a)
         run.last = state._replace(h=max(state.h, allowed))
-        shortest, allowed = _measured(run, shortest, settled, MEASURED * (10 if stop < end else 1))
+        attempts = MEASURED * (10 if stop < end or engine.formulas.timed else 1)
+        shortest, allowed = _measured(run, shortest, settled, attempts)
         t, y, a = t + run.last.t if run.last.halt == SETS_IN else stop, np.array(run.last.y), run.last.a
         settled = max(settled - run.last.steps, 0)
     return shortest
