@@ -188,7 +188,7 @@ TOO_SMALL = "It is as small as a point."
 
 def _unseen(line: Line) -> str:
     """Return why a curve cannot be seen; empty if it can."""
-    if not line.within >= WITHIN:
+    if not line.share_within >= WITHIN:
         return "It leaves the limits of the axes."
     if not line.extent >= EXTENT:
         return TOO_SMALL

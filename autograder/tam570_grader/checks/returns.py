@@ -82,7 +82,7 @@ class Line:
     label: str
     scatter: bool
     shows: float = 1.0  # share of the points that leave ink on the paper
-    within: float = 1.0  # share of the points within the limits of the axes
+    share_within: float = 1.0  # share of the points within the limits of the axes
     extent: float = 1.0  # on paper, relative to the figure
 
 

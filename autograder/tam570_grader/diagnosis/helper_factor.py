@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
 from tam570.values import Numbers
@@ -35,7 +36,7 @@ def same_factor(
 
     def outcomes(index: int) -> list[bool]:
         """Return whether each wrong call becomes right; leave out calls for which there is no factor."""
-        found = []
+        are_right = []
         for call in wrong:
             case = _with_shared(solution, Call(other.name, before, None), call)
             factor = _factor(
@@ -43,10 +44,10 @@ def same_factor(
             )
             if factor:
                 result = function.scaled(helper, index, factor, call.case)
-                found.append(same(result, right_answer(solution, call), WITHIN))
-        return found
+                are_right.append(same(result, right_answer(solution, call), WITHIN))
+        return are_right
 
-    return any(len(found) >= FEWEST and all(found) for found in map(outcomes, PLACES))
+    return any(len(are_right) >= FEWEST and all(are_right) for are_right in map(outcomes, PLACES))
 
 
 def _with_factor(function: StudentFunction, helper: str, index: int, case: Case, factor: float) -> Numbers:
@@ -54,7 +55,7 @@ def _with_factor(function: StudentFunction, helper: str, index: int, case: Case,
 
 
 def _with_shared(solution: str, before: Call, call: Call) -> Case:
-    """Return the arguments of the first call, with those of the second that have the same names in their place."""
+    """Return the arguments of the first call, with those of the second that have the same names in their index."""
     module = solution_with(solution, "")
     values, shared = (
         inspect.signature(getattr(module, each.name)).bind(*each.case.args, **each.case.kwargs).arguments
@@ -65,20 +66,20 @@ def _with_shared(solution: str, before: Call, call: Call) -> Case:
     return Case(*args, **values)
 
 
-def _factor(right: Numbers, function: Callable[[float], Numbers]) -> float | None:
+def _factor(expected: Numbers, function: Callable[[float], Numbers]) -> float | None:
     """Return the factor with which the function returns the right numbers, 1 if these are right; None: none found."""
-    target = _flat(right)
+    target = _flat(expected)
     for power in (1, -1):  # results are often linear in the factor, or in one over it
         powers = [1.0, STEP]
         values = [_flat(function(number**power)) for number in powers]
         for _ in range(MOST_STEPS):
             if any(value.shape != target.shape or not np.all(np.isfinite([value, target])) for value in values):
                 break
-            place = int(np.argmax(np.abs(values[0] - target)))
-            slope = (values[1][place] - values[0][place]) / (powers[1] - powers[0])
+            index = int(np.argmax(np.abs(values[0] - target)))
+            slope = (values[1][index] - values[0][index]) / (powers[1] - powers[0])
             if not slope:
                 break
-            powers = [powers[1], powers[1] + float((target[place] - values[1][place]) / slope)]
+            powers = [powers[1], powers[1] + float((target[index] - values[1][index]) / slope)]
             if abs(powers[1]) < SMALL or powers[1] == powers[0]:
                 break
             values = [values[1], _flat(function(powers[1] ** power))]
@@ -87,7 +88,7 @@ def _factor(right: Numbers, function: Callable[[float], Numbers]) -> float | Non
     return None
 
 
-def _flat(result: Numbers) -> np.ndarray:
+def _flat(result: Numbers) -> NDArray[np.float64]:
     """Return all numbers of a result; none for None, or for an answer without a value."""
     if result is None or isinstance(result, type):
         return np.array([])

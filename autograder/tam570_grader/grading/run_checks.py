@@ -451,10 +451,10 @@ def _judge_consequences(run: _Run) -> None:
 
     A failure without a cause still blocks if the function was wrong for all inputs: later checks may pass by chance.
     """
-    judged = {*run.causes, *(check.name for check, _, calls in run.unnamed if _is_right_once(run.assignment, calls))}
-    for check in run.assignment.checks if judged else ():
+    passable = {*run.causes, *(check.name for check, _, calls in run.unnamed if _is_right_once(run.assignment, calls))}
+    for check in run.assignment.checks if passable else ():
         before = {other.name: run.results[other.name] for other in check.after}
-        ready = all(result.unlocks_dependents or name in judged for name, result in before.items())
+        ready = all(result.unlocks_dependents or name in passable for name, result in before.items())
         if run.results[check.name].outcome == "not_run" and ready and not run.results[check.name].unwritten:
             causes = [run.causes[name] for name in before if name in run.causes]
             causes = [cause for cause in causes if cause.follows_from != cause.function]  # the others repeat a cause
@@ -465,7 +465,7 @@ def _judge_consequences(run: _Run) -> None:
             except BudgetSpent:
                 return
             run.results[check.name] = result or run.results[check.name]
-            judged |= run.causes.keys() & {check.name}
+            passable |= run.causes.keys() & {check.name}
 
 
 def _is_right_once(assignment: LoadedAssignment, calls: Sequence[Call]) -> bool:

@@ -224,8 +224,8 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
 
 def _rank(row: Taken) -> tuple[bool, bool, tuple[object, ...], bool]:
     """Return a key, largest for the best file: begun, named after its assignment, newest, with the exact name."""
-    begun, title = is_begun(row.handed.file.data), row.handed.title
-    return begun, of_name(title, [row.slug]) is not None, row.handed.order, title == row.target
+    title = row.handed.title
+    return is_begun(row.handed.file.data), of_name(title, [row.slug]) is not None, row.handed.order, title == row.target
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:

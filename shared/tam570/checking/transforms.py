@@ -113,8 +113,10 @@ def other_results(name: str, reference: Function, example: Compared, vary: bool)
     numbers = {key: position for key, position in _numbers(reference, example.case).items() if position is None}
     for which, (label, returned) in enumerate(zip(_labels(name, len(results)), results, strict=False)):
         changes = [(words, change) for words, change, _ in _changes(np.asarray(returned), numbers)]
-        alike = {key: None for key, value in example.case.kwargs.items() if np.shape(value) == np.shape(returned) != ()}
-        changes += [(f"{words}, component by component", change) for words, change, _ in _multiples(alike)]
+        like_result = {
+            key: None for key, value in example.case.kwargs.items() if np.shape(value) == np.shape(returned) != ()
+        }
+        changes += [(f"{words}, component by component", change) for words, change, _ in _multiples(like_result)]
         if vary and which < len(expected):
             changes += _constants(np.asarray(returned), np.asarray(expected[which]))
         for words, change in changes:

@@ -76,7 +76,7 @@ def grown_scale(
     A force sets in if the rate of a component that may grow becomes LONG times larger, and so does its size. The force
     counts at the first time after which it grows no further, of times each four times as far from t as the last.
     """
-    base, h, found, forces = rhs(t, y, c), max(2.0**-50 * abs(t), SOONEST * (end - t)), 0.0, [0.0] * len(y)
+    base, h, until, forces = rhs(t, y, c), max(2.0**-50 * abs(t), SOONEST * (end - t)), 0.0, [0.0] * len(y)
     limits = [LONG * abs(rate) if grows else math.inf for rate, grows in zip(base, may_grow, strict=True)]
 
     def forces_at(h: float) -> list[float]:
@@ -86,21 +86,21 @@ def grown_scale(
     while t + h < end:
         later = forces_at(h)
         if any(new > force for new, force in zip(later, forces, strict=True)):
-            found, forces = h, later
-        elif found:
+            until, forces = h, later
+        elif until:
             break
         h *= 4.0
-    if not found:
+    if not until:
         return list(sizes)
-    low, high = found / 4.0, found  # the force was a small part of this
+    low, high = until / 4.0, until  # the force was a small part of this
     for _ in range(BISECTIONS):
         h = (low + high) / 2.0
         is_on = any(0.0 < force < LONG * new for new, force in zip(forces_at(h), forces, strict=True))
         low, high = (low, h) if is_on else (h, high)
-    duration, driven = found - low, None
+    duration, driven = until - low, None
     own_sizes = [duration * a if grows else size for a, size, grows in zip(forces, sizes, may_grow, strict=True)]
     f = [0.0 if grows else rate for rate, grows in zip(base, may_grow, strict=True)]
-    while driven is None and duration > SHORT * found:
+    while driven is None and duration > SHORT * until:
         driven, duration = _spread(rhs, t, duration, y, f, base, own_sizes, c), duration / 4.0
     each = zip(sizes, driven or sizes, may_grow, strict=True)
     return [new if grows and new > CALM * size else size for size, new, grows in each]

@@ -25,7 +25,7 @@ from tam570.values import Function, Numbers
 
 METHODS = {"gauss": 3.5, "composition": 0.5}  # step size in units of the shortest step of DOP853 at the same rtol
 SWEEPS = {"gauss": 0.7, "composition": 0.1}  # passes through the source per step, over the 12 stages of `repays`
-AHEAD = 10.0  # steps, in which adaptive steps may show why a step has no finite end
+LOOK_AHEAD = 10.0  # steps, in which adaptive steps may show why a step has no finite end
 DIGITS = 45  # decimal digits of the tableau before it is split
 NODES = """0.033765242898423986093849222753002695432617131144 0.169395306766867743169300202490047326496775717802
 0.380690406958401545684749139159644032290694684930"""  # zeros of Legendre's polynomial on (0, 1), first half
@@ -200,7 +200,7 @@ def states(method: str, engine: Engine, times: Array, start: Array, control: Con
         last = run(python, listed, state, FOREVER)
     if last.halt or not np.isfinite(rows).all():
         t = origin + last.done * h
-        shortest_step(engine, np.array([t, t + AHEAD * h]), np.array(last.y), control)  # it raises a better reason
+        shortest_step(engine, np.array([t, t + LOOK_AHEAD * h]), np.array(last.y), control)  # it raises a better reason
         raise ArithmeticError(f"steps of {h:.3g} s are too long near t = {engine.sign * t:.6g}: give a shorter `step`")
     return rows
 

@@ -40,12 +40,12 @@ def module(motion: EquationsOfMotion) -> str:
             _function(motion, "constraint_errors", errors, lambda m, lines: _tuple(lines, _values(lines, m.errors))),
         ]
     names = ", ".join(map(str, motion.coordinates))
-    head = (
+    preamble = (
         f'"""Equations of motion in {names}; written by tam570.lagrange, not to be edited."""\n\nimport math\n\n'
         f"STATE = {tuple(map(str, motion.coordinates + motion.velocities))}\n"
         f"PARAMETERS = {tuple(map(str, motion.parameters))}"
     )
-    return "\n\n\n".join([head, *functions]) + "\n"
+    return "\n\n\n".join([preamble, *functions]) + "\n"
 
 
 def _function(motion: EquationsOfMotion, name: str, summary: str, result: Expression) -> str:

@@ -176,6 +176,6 @@ def test_a_scatter_is_put_in_the_order_of_the_path_and_a_line_keeps_its_own():
     circle = np.column_stack([np.cos(turn), np.sin(turn)])
     mixed = np.random.default_rng(0).permutation(circle)
     np.testing.assert_array_equal(along(Line(mixed, "", scatter=True), circle[::10]), circle)
-    own = np.vstack([circle[:1], mixed, circle[-1:]])
-    for points in (own, own[::-1]):  # a line may also be drawn from its end
-        np.testing.assert_array_equal(along(Line(points, "", scatter=False), circle), own)
+    in_order = np.vstack([circle[:1], mixed, circle[-1:]])
+    for points in (in_order, in_order[::-1]):  # a line may also be drawn from its end
+        np.testing.assert_array_equal(along(Line(points, "", scatter=False), circle), in_order)

@@ -87,7 +87,7 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
 
 
 @pytest.mark.parametrize(
-    ("idle", "begun"),
+    ("idle", "written"),
     [
         (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}/{HW08}_handin.zip"),
         (f"ada/{HW08}/{HW08}.ipynb", f"ada/{HW08}/{HW08}_handin.zip"),
@@ -98,13 +98,13 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
         (f"{HW08}.py", f"{HW08}_handin.zip"),
     ],
 )
-def test_work_counts_before_a_file_that_is_not_begun(tmp_path, idle, begun):
-    for name, text in ((idle, "import hw08"), (begun, "def skew(v): return v\n")):
+def test_work_counts_before_a_file_that_is_not_begun(tmp_path, idle, written):
+    for name, text in ((idle, "import hw08"), (written, "def skew(v): return v\n")):
         path = tmp_path / "submitted" / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(packed({f"{HW08}.py": text}) if name.endswith("zip") else text.encode())
     (submission,) = submissions([tmp_path / "submitted"], SLUGS)
-    assert submission.path == tmp_path / "submitted" / begun
+    assert submission.path == tmp_path / "submitted" / written
 
 
 def test_a_named_assignment_takes_lone_files_and_leaves_those_of_others(class_of):

@@ -74,12 +74,12 @@ def loop_module(loop: Loop) -> str:
     several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
-    head = ["define void @advance(ptr %arguments) {", "entry:"]
+    preamble = ["define void @advance(ptr %arguments) {", "entry:"]
     for position, (name, ir_type) in enumerate(ARGUMENTS.items()):
-        head += [f"  %{name}.at = getelementptr i64, ptr %arguments, i64 {position}"]
-        head += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
+        preamble += [f"  %{name}.at = getelementptr i64, ptr %arguments, i64 {position}"]
+        preamble += [f"  %{name} = load {ir_type}, ptr %{name}.at"]
     body = [*translator.allocations, *translator.lines, "  ret void", "}"]
-    return assembled([*translator.constants(), *head, *body])
+    return assembled([*translator.constants(), *preamble, *body])
 
 
 def _call_of(name: str) -> Operand:
