@@ -93,12 +93,10 @@ BAD = {  # arguments: words of the message
     "check oscillator": "tam570 show oscillator",
     "check double_pendulm": "double_pendulum?",
     "start x": "list --lectures",
-    "start oscilator": "oscillator?",
     "show oscilator": "oscillator?",
     "start pendulum": "hw01_simple_pendulum, hw05_constrained_pendulum, hw07_double_pendulum",
     "hint hw08 nothing": "skew",
     "check hw09 --watch": "start hw09",
-    "start pend": "hw05_constrained_pendulum",
     "start hw0": "hw01_simple_pendulum, hw02_ballistics",
 }
 

@@ -132,7 +132,6 @@ EQUATIONS = {
     "combined by the angles": "[[2 + math.sin(theta[0]), 1], [math.cos(theta[1]), -3]]",
     "Lagrange's": "[[1, 0], [0, 1]]",
     "about the ceiling and the elbow": "[[1, 1], [0, 1]]",
-    "about the elbow and the ceiling": "[[0, 1], [1, 1]]",
     "their sum and a scaled row of the other side": "[[1, 2], [0, -1e-3]]",
 }
 

@@ -15,7 +15,6 @@ import pickle
 
 import numpy as np
 import pytest
-import scipy
 from parameters import first
 from scipy.integrate import solve_ivp
 from scipy.interpolate import CubicSpline, RegularGridInterpolator, interp1d
@@ -72,8 +71,6 @@ def struck_at_rest(t, y):
 WALLS, BETWEEN_WALLS = (1e4, 1e6, 1e7, 1e8, 1e9), [0.5 - 2e-7 * math.pi, 1.0]  # N/m
 CONTACT = {
     **{f"wall {k:.0e}": against(wall(k), (0, 2), [1.0, -1.0], exact=[1 - math.pi / k**0.5, 1.0]) for k in WALLS},
-    "ball 1e4": against(bouncing(1e4), (0, 1), [1.0, 0.0], longest=0.025),
-    "ball 1e6": against(bouncing(1e6), (0, 0.6), [1.0, 0.0], longest=2.5e-3),
     "damped ball": against(bouncing(1e6, 200.0), (0, 0.6), [1.0, 0.0], longest=2.5e-3),
     "Hertz": against(lambda t, y: (y[1], -G + 100000.0 * max(-y[0], 0.0) ** 1.5), (0, 0.6), [0.3, 0.0], longest=5e-3),
     "two walls": newton(lambda t, x, v: -1e14 * (min(x, 0) + max(x - 1, 0)), (0, 2), [0.5, 1], exact=BETWEEN_WALLS),
@@ -127,28 +124,18 @@ def forced(force, span, start=(0.0, 0.0), **more):
     return newton(lambda t, x, v: force(t) - x, span, start, **more)
 
 
-TABLE, VALUES = np.linspace(0, 10, 21), np.cos(1.7 * np.arange(22))
 GRID, TOOTH = np.linspace(0, 8, 801), np.where(np.arange(801) == 403, 100.0, 0.0)
 SINE_TO_20 = 3 * math.pi * math.comb(20, 10) / 2**20
-HALVES, FIFTHS, RAMP = tuple(np.arange(0.5, 6, 0.5)), (0.2, 0.4, 0.6, 0.8, 1.0), (0, 6.4, 7.2, 8.8)
+FIFTHS, RAMP = (0.2, 0.4, 0.6, 0.8, 1.0), (0, 6.4, 7.2, 8.8)
 JUMPS = {
     "narrow peaks of a sine": against(
         lambda t, y: (math.cos(44 * t) > 0.999997,), (0, 2), [0.0], exact=[29 * math.acos(0.999997) / 44]
     ),
-    "step": forced(lambda t: 1.0 if t > 1 else 0.0, (0, 3), stops=(1,)),
     "very short": forced(lambda t: 1e4 if abs(t - 2.5) < 5e-5 else 0.0, (0, 6), stops=(2.49995, 2.50005)),
     "square wave": forced(lambda t: 1.0 if t % 2 < 1 else -1.0, (0, 4.5), [0.3, 0.0], stops=(1, 2, 3, 4)),
     "a wave that begins with rest": forced(lambda t: 1 if math.sin(t) > 0 else -1, (0, 4.5), [1, 0], stops=(math.pi,)),
     "a wave from rest": forced(lambda t: math.sin(5 * t) > 0 or -1, (0, 3.5), stops=math.pi / 5 * np.arange(1, 6)),
     "by a shift": forced(lambda t: 3.0 if (t - 1.3) * 2 > 1 else 0.0, (0, 3), [1.0, 0.0], stops=(1.8,)),
-    "where in time": forced(lambda t: float(np.where(t < 2, 1.0, -1.0)), (0, 4), [1.0, 0.0], stops=(2,)),
-    "heaviside": forced(lambda t: np.heaviside(t - 2.2, 0.5), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "sign": forced(lambda t: np.sign(t - 2.2), (0, 4), [1.0, 0.0], stops=(2.2,)),
-    "floor": forced(lambda t: math.floor(2 * t) % 3, (0, 2.9), [1.0, 0.0], stops=HALVES[:5]),
-    "int": forced(lambda t: (1.0, -2.0, 3.0)[int(t) % 3], (0, 3.5), [1.0, 0.0], stops=(1, 2, 3)),
-    "interp": forced(lambda t: np.interp(t, [0, 1, 1.01, 9], [0, 0, 5, 5]), (0, 3), [1.0, 0.0], stops=(1, 1.01)),
-    "searchsorted": forced(lambda t: VALUES[np.searchsorted(TABLE, t)], (0, 2.3), [1.0, 0.0], stops=HALVES[:4]),
-    "ramp": forced(lambda t: min(max(t - 1, 0.0), 0.5), (0, 3), [1.0, 0.0], stops=(1, 1.5)),
     "ramp at rest": newton(lambda t, x, v: np.interp(t, RAMP, [0, 0, 2, -1]) - 0.3 * v, (0, 8), stops=RAMP[1:3]),
     "a sine that rounding moves": newton(lambda t, x, v: math.sin(math.pi * (t - 2)) if x < 9 else 0.0, (0, 4)),
     "abs in time": forced(lambda t: abs(t - 1.7), (0, 3), [1.0, 0.0], stops=(1.7,)),
@@ -174,7 +161,6 @@ def by_numpy(t, y):
 
 
 PULSES = {
-    "narrow": against(narrow, (0, 6), [0.0, 0.0], longest=0.05),
     "narrower": against(narrow, (0, 3), [0.0, 0.0], longest=0.025, parameters={"centre": 2.1, "width": 0.004}),
     "tanh": forced(lambda t: 5 * (math.tanh((t - 5) / 0.1) - math.tanh((t - 5.5) / 0.1)), (0, 7), longest=0.025),
     "expanded": forced(lambda t: 40 * math.exp(-400 * t * t + 2400 * t - 3600), (0, 5), longest=0.05),
@@ -307,12 +293,6 @@ TRACES = {
 }
 
 
-def spiral(t, y):
-    z = complex(y[0], y[1])
-    rate = 2j * z - 0.1 * abs(z) ** 2 * z
-    return rate.real, rate.imag
-
-
 def limited(t, y):
     z = y[0] + 1j * y[1]
     rate = 2j * z if z.real > 0 else z.conjugate() - cmath.exp(1j * t)
@@ -340,7 +320,6 @@ def vortices(t, y):
 
 
 COMPLEX = {
-    "spiral": against(spiral, (0, 3), [1.0, 0.2]),
     "limited": against(limited, (0, 3), [1.0, 0.2], longest=0.025),
     "modes": against(modes, (0, 3), [1.0, 0.2, 0.3, -0.4]),
     "viewed": against(viewed, (0, 3), [1.0, 0.2]),
@@ -410,9 +389,6 @@ class Window:
         self.inputs.append(x)
         return float(self.table(x))
 
-    def pole(self, x):
-        return 1 / (x - 1)
-
 
 # name: (function that a rate of 1 grows by in a short window of x, its integral over x from 0 to 3, the time that it
 # saves if x is the state).
@@ -456,11 +432,10 @@ WINDOWS = {
     "vectorize": (np.vectorize(lambda x: 1.0 if 1 < x < 1.01 else 0.0), 0.01, 0.005),
     "grid": (lambda x: LINE([x])[0], 0.0099, None),
     "a tooth of a spline": (lambda x: float(TOOTHED(x)), TOOTHED.integrate(0, 3), None),
-    "signal.square": (lambda x: scipy.signal.square(x - 1, duty=0.01 / math.tau) > 0, 0.01, 0.005),
 }
 
 
-@pytest.mark.parametrize("name", first(len(WINDOWS) - 1, WINDOWS))  # the last is like a grid, but slower
+@pytest.mark.parametrize("name", WINDOWS)
 def test_no_window_of_time_or_state_is_stepped_over(name):
     window, of_time, of_state = WINDOWS[name]
     end = solve(lambda t, y: (1.0 + float(window(t)),), [0, 3], [0.0], rtol=RTOL)[-1, 0]
@@ -511,7 +486,6 @@ def smooth_window(width):
 
 FROM_ZERO = {  # pulses of t about 6.1 with an integral of 1
     "a window": smooth_window(0.1),
-    "a short window": smooth_window(0.01),
     "a shorter window": smooth_window(1e-3),
     "logistic": lambda t: 1e3 / (1 + math.exp(min(700, 1e5 * (6.0995 - t)))) / (1 + np.exp(1e5 * (t - 6.1005))),
     "a tooth": lambda t: np.interp(t, [0, 6.099, 6.1, 6.101, 10], [0, 0, 1e3, 0, 0]),
@@ -587,17 +561,6 @@ def kept_integral():
     return rates
 
 
-def delayed():
-    past = [(0.0, 1.0)]
-
-    def rates(t, y):
-        late = [value for time, value in past if time <= t - 0.5]
-        past.append((t, y[0]))
-        return (-(late[-1] if late else 1.0),)
-
-    return rates
-
-
 def noise(seed, since=0.0):
     rng = np.random.default_rng(seed)
     return lambda t, y: (-y[0] + (rng.normal() if t >= since else 0.0),)
@@ -621,10 +584,6 @@ def own_error(t, y):
 
 def singular(t, y):
     return np.linalg.solve([[y[0] - 0.5 if y[0] > 0.5 else 0.0]], [-1.0])
-
-
-def belt(t, y):
-    return y[1], -y[0] - 5.0 if -0.51 < y[1] < -0.5 else -y[0]
 
 
 def circle(t, y):
@@ -681,17 +640,11 @@ REFUSED = {  # name: (rates, times, start, words of the message, the exception i
     "a table that holds": (table, (0, 3), [0.0], f"{TO_AND_FRO}0.3"),
     "friction that holds a start": (lambda t, y: (y[1], -y[0] - 5 * np.sign(y[1])), (0, 3), [1.0, 0.0], TO_AND_FRO),
     "a circle that holds": (circle, (0, 5), [1.0, 0.0], f"{TO_AND_FRO}1.33"),
-    "a pole behind a branch": (lambda t, y: (1 / math.tan(t) if t > 0 else 0.0,), (1, 4), [0.0], r"t = 3\.14"),
-    "a hidden pole of a method": (lambda t, y: (1, WINDOWS["in an object"][0].pole(t)), (0, 2.7), [0.0, 0.0], AT_1),
-    "a hidden pole of a matrix": (lambda t, y: (1, np.linalg.inv([[y[0] - 1]])[0, 0]), (0, 2.7), [0.0, 0.0], AT_1),
     "a weak pole": (lambda t, y: (1, abs(y[0] - 1) ** -0.9 if y[0] < 9 else 0), (0, 4), [0, 0], f"{AT_1}.*infinite"),
-    "a hidden pole of time": (lambda t, y: (1, reciprocal(float(t))), (0, 2.7), [0.0, 0.0], AT_1),
-    "a belt that holds": (belt, (0, 5), [1.0, 0.0], f"{TO_AND_FRO}2.6"),
-    "a history that it searches": (delayed(), (0, 3), [1.0], "remember", ValueError),
 }
 
 
-@pytest.mark.parametrize("name", first(len(REFUSED) - 7, REFUSED))  # the last seven resemble others
+@pytest.mark.parametrize("name", REFUSED)
 def test_what_has_no_answer_is_said(name):
     rhs, span, start, words, *error = REFUSED[name]
     with pytest.raises(*error or [ArithmeticError], match=words):

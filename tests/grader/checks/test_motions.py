@@ -91,14 +91,9 @@ def test_errors_that_chaos_makes_large_break_no_equation(careless):
     assert leads(careless)
 
 
-@pytest.mark.parametrize("row", [1, 300, 600])
-def test_one_row_of_another_time_breaks_them(careless, row):
-    careless = careless.copy()
-    careless[row] = careless[(row + 100) % 601]
-    assert not leads(careless)
-
-
-def test_rows_in_another_order_or_at_rest_break_them(careless):
+def test_rows_of_another_time_in_another_order_or_at_rest_break_them(careless):
+    for row in (1, 300, 600):
+        assert not leads(np.vstack([careless[:row], careless[(row + 100) % 601], careless[row + 1 :]]))
     assert not leads(careless[::-1])
     assert not leads(np.vstack([careless[:1], careless[:0:-1]]))
     assert not leads(np.tile(careless[0], (601, 1)))

@@ -109,14 +109,6 @@ def test_a_function_that_is_always_zero_makes_nothing_else_right(checked):
     assert not {"axle_load", "friction_force"} & {source for _, source in following(actual)}
 
 
-@pytest.mark.slow  # the rates use vectors
-def test_rows_of_zeros_are_judged_to_the_end(checked):
-    zeros = "\n\ndef euler_state_derivative(t, state, **disk):\n    return np.zeros(8)\n"
-    zeros += "\n\ndef simulate_euler(t, state, **disk):\n    return np.zeros((len(t), 8))\n"
-    outcomes = {check.outcome for check in checked("hw14_rolling_disk", more=zeros).values()}
-    assert outcomes == {"passed", "failed", "not_run"}
-
-
 METHOD = "_Rod().alpha({})", "class _Rod:\n    def alpha(self, {}):\n        return {}\n\n\n"
 OF_SEVERAL = "_rod({})['alpha']", "def _rod({}):\n    return {{'alpha': {}}}\n\n\n"
 
@@ -287,22 +279,15 @@ SLIPS = [
     ("hw05_constrained_pendulum", " - mass * (vx**2 + vy**2) / length", "", "a term with "),
     ("hw05_constrained_pendulum", "gravity * along[1]", "gravity * along[0]", "the wrong component"),
     ("hw01_simple_pendulum", "power_per_omega * o", "-mass * gravity * length * math.cos(theta) * o", "for cosine"),
-    ("hw04_hanging_spring", "[-se * ca, -se * sa, ce]", "[-ca, -sa, ce]", "the factor sin(elevation) is missing"),
     ("hw05_constrained_pendulum", "-along * y, along * x", "2 * vx + along * y, 2 * vy - along * x", "with state is"),
     ("hw03_angular_momentum_rate", "velocity = v_p - v_c", "velocity = v_c - v_p", "sign where definition is 'c'"),
     ("hw06_braking", "- free * yaw_rate", "- abs(free) * yaw_rate", "yaw_rate is reversed where locked is 'front'"),
     ("hw09_book", "R[0, 2] - R[2, 0]", "R[2, 0] - R[0, 2]", "the sign of a term with R is reversed"),
     ("hw09_book", 'math.pi / 2), ("z", math.pi / 2)', 'math.pi / 4), ("z", math.pi / 4)', "an angle is half"),
-    ("hw10_free_rigid_body", "omega)) / inertia[0]", "omega)) / inertia[2]", "wrong component is used with inertia"),
     ("hw11_disk_steady", "/ (C + mass * radius**2)", "/ (C + mass * radius**2 / 2)", "mass, radius counts half"),
-    ("hw06_braking", "mass * (front + rear) ** 2", "mass * (front + rear)", "an exponent with front, rear is"),
     ("hw07_double_pendulum", "@ omega))", f"@ omega) + {OTHER_MASS})", "the wrong component of masses is used"),
-    ("hw06_braking", "(speed0 - speed) * (speed0 + speed)", "(speed0 - speed) ** 2", "a term with speed is reversed"),
     ("hw07_double_pendulum", "2 * math.cos(th1 - th2)", "2 * math.cos(th1 + th2)", "with th1 or th2 is reversed"),
     ("hw10_free_rigid_body", "np.asarray(R) @ turned[0].T @ turned", TRANSPOSED, "in all rows but the first"),
-    ("hw10_free_rigid_body", "_agm(larger, smaller)", "_agm(larger, smaller**2 / larger)", "a square root"),
-    ("hw11_disk_steady", "(A * math.cos", "(mass * radius**2 / 4 * math.cos", "that of a thin uniform disk"),
-    ("hw12_bead_on_wire", ") / (1 + slope**2)\n    return np", ")\n    return np", "a factor with curvature, x is"),
     ("hw02_ballistics", "drag / mass, gravity=gravity)", "drag, gravity=mass * gravity)", "in its last 2 components"),
     ("hw02_ballistics", "time * phi1\n", "time / 2 * _decays(drag / mass * time / 2)[1]\n", "is multiplied by 0.5"),
     ("hw05_constrained_pendulum", "-along * y, along * x", STRETCHED, "one term uses position as it is given"),
@@ -314,14 +299,6 @@ SLIPS = [
 def test_a_slip_in_a_term_is_told_by_what_is_in_it(checked, slug, correct, wrong, words):
     suspects = [check.suspect for check in checked(slug, (correct, wrong)).values() if check.suspect]
     assert len(suspects) == 1 and words in suspects[0]
-
-
-def test_a_wrong_component_of_a_helper_is_told_once(checked):
-    helper = "def _cross(a, b):\n    return np.cross(a, b) * [1.0, 1.1, 1.0]\n\n\n"
-    slug, first = "hw03_angular_momentum_rate", "def moment("
-    actual = checked(slug, (first, helper + first), ("np.cross(", "_cross("), (helper.replace("np.", "_"), helper))
-    assert by_name(actual) == ["moment_is_about_C"]
-    assert {("angular_momentum", "moment"), ("rate", "angular_momentum")} <= following(actual)
 
 
 def test_a_function_that_raises_is_named_by_those_that_call_it(checked):
@@ -338,13 +315,6 @@ def test_a_mistake_in_the_rows_is_one_and_what_passes_with_it_keeps_its_points(c
     actual = checked("hw05_constrained_pendulum", line)
     assert following(actual) == {("simulate", "simulate")} and bool(by_name(actual)) == is_named
     assert actual["at_the_very_top_it_stays"].outcome == "passed"
-
-
-def test_what_passes_with_a_named_mistake_keeps_its_points(checked):
-    line = "return {}rate(definition, *motion, mass=mass) {} moment(r_p, a_p, r_c, mass=mass)"
-    actual = checked("hw03_angular_momentum_rate", (line.format("", "-"), line.format("-", "+")))
-    assert by_name(actual) == ["discrepancy_with_the_velocity_in_F"]
-    assert actual["no_discrepancy_about_a_fixed_point"].outcome == "passed"
 
 
 def test_constants_follow_from_nothing(checked):

@@ -90,7 +90,6 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
     ("idle", "written"),
     [
         (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}/{HW08}_handin.zip"),
-        (f"ada/{HW08}/{HW08}.ipynb", f"ada/{HW08}/{HW08}_handin.zip"),
         (f"ada/{HW08}/{HW08}.py", f"ada/{HW08}.zip"),
         (f"ada/{HW08}.py", f"ada/{HW08}/work.py"),
         ("hw08_ada.py", "hw08_ada.ipynb"),

@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from classes import HW08, packed
+from classes import HW08
 
 from tam570_grader.course.late_policy import policies
 
@@ -139,16 +139,15 @@ def test_an_assignment_has_the_names_that_it_has_elsewhere(tmp_path, key):
 
 
 @pytest.fixture
-def download(desk):
+def download(desk, download):
     """`download((student, file, day, text), ...)` -> (exit code, output) of `collect` with Blackboard's download."""
     desk.trust(COURSE.partition("[hw08.extension]")[0])
 
-    def download(*came):
-        names = [f"HW_{student}_attempt_2026-09-{day:02}-12-00-00_{file}" for student, file, day, _ in came]
-        desk.write("download.zip", packed(dict(zip(names, (text for *_, text in came), strict=True))))
-        return desk("collect", "download.zip", "--from", "blackboard")
+    def from_blackboard(*came):
+        files = {f"HW_{who}_attempt_2026-09-{day:02}-12-00-00_{file}": text for who, file, day, text in came}
+        return download("blackboard", files)
 
-    return download
+    return from_blackboard
 
 
 def test_the_next_homework_leaves_the_rows_and_late_days_of_the_last(desk, download):

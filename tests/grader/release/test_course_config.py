@@ -116,7 +116,6 @@ WRONG = [
     ("assignments = [", 'hw09 = 1\nassignments = ["hw09", ', "hw09 must be a table: write [hw09]"),
     ("= 3", "= -3", "is -3"),
     ("mine.py", "yours.py", "no such file"),
-    ("[limits]", "[limit]", "limit is not known; do you mean limits?"),
     ('"hw07", ', "", "[hw07] is not among the assignments"),
     ('allow = ["tam570.rotations"]', 'allow = ["os"]', "os is not known"),
 ]
