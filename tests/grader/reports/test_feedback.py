@@ -1,25 +1,29 @@
-"""The students' pages say what is wrong, and reveal no hidden input."""
+"""The students' pages say what is wrong, with numbers as people write them, and reveal no hidden input."""
 
 import contextlib
 import html
 import json
 import math
 import re
+import runpy
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from classes import check_result, hand_in, result
 from parameters import SLUGS, first
 
+from tam570_grader import cli
 from tam570_grader.checks import assignments
 from tam570_grader.checks.curves import BITS, CEILING, FLOOR, SLOTS, curve
-from tam570_grader.checks.failure import WHOLE
+from tam570_grader.checks.failure import WHOLE, Failure
 from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.diagnosis.mistakes import overlays
 from tam570_grader.reports import feedback
-from tam570_grader.reports.pictures import picture
-from tam570_grader.reports.sentences import describe_failure, typeset
+from tam570_grader.reports.pictures import BOTTOM, LAST, LEFT, TOP, among, picture
+from tam570_grader.reports.sentences import describe_failure, points, quantity, typeset
 from tam570_grader.results.records import numbers, read
+from tam570_grader.results.run_time import scenes
 from tam570_grader.results.store import ResultStore, key_of
 
 CHECKS = assignments.find() / "autograder" / "checks"
@@ -177,3 +181,96 @@ def test_only_pages_of_results_that_changed_are_made_again(tmp_path, grade, cour
     assert written({**both[1], "score": 3.0}) == [("ben", slug)] and "3 of 10" in paths[3].read_text()
     paths[1].unlink()
     assert written() == [("ada", slug)] and paths[1].exists()
+
+
+@pytest.mark.parametrize(
+    ("value", "message"),
+    [
+        *((2.7, "2.7"), (200.0, "200"), (1234.0, "1200"), (0.0312, "0.031"), (6e-4, "6e-4"), (1.13e-13, "1.1e-13")),
+        *((9.99e-5, "1e-4"), (23456.0, "2.3e4"), (0.0, "0"), (np.inf, "more than any number")),
+    ],
+)
+def test_numbers_are_as_people_write_them(value, message):
+    assert quantity(value) == message
+
+
+@pytest.mark.parametrize(
+    ("earned", "most", "message"),
+    [
+        *((9.7675, 10.0, "9.77"), (0.125, 0.25, "0.13"), (9.9975, 10.0, "9.99"), (10.0, 10.0, "10")),
+        *((0.1 + 0.2, 0.3, "0.3"), (0.3, 0.1 + 0.2, "0.3"), (0.0, 10.0, "0"), (12.0, 10.0, "12"), (None, 10.0, "?")),
+    ],
+)
+def test_points_have_two_decimals_and_all_are_shown_for_nothing_less(earned, most, message):
+    assert points(earned, most) == message
+
+
+@pytest.mark.parametrize("error", np.random.default_rng(1).lognormal(-5, 9, 50))
+def test_no_error_reads_as_its_limit_or_less(error):
+    for limit in error / (1 + 10.0 ** -np.arange(1, 9)):
+        sentence = describe_failure(Failure(quantity="x", error=error, limit=limit))
+        shown, allowed = sentence.split(" is wrong by ")[1].split(" (limit ")
+        assert float(shown) > float(allowed.rstrip(").")), (error, limit)
+
+
+def shown(*checks, info=None, score=9.7675):
+    """Return the text of the page of a result with these checks."""
+    page = feedback.page(result("ada", *checks, score=score), info or feedback.AssignmentInfo("", {}, {}, {}))
+    return re.sub(r"<[^>]+>", "", html.unescape(page))
+
+
+def test_the_hint_is_for_the_function_that_failed_not_for_the_first_in_the_line():
+    info = feedback.AssignmentInfo("", {}, dict.fromkeys(["one", "two", "three"], "skew"), {})
+    failed = check_result("one", failure=Failure(message="rotate did not return", function="rotate"))
+    missing = check_result("two", "not_run", unwritten="rotation_matrix")
+    page = shown(failed, missing, check_result("three"), info=info)
+    assert re.findall(r"tam570 hint hw08 (\w+)", page) == ["rotate", "rotation_matrix", "skew"]
+
+
+def test_where_nothing_failed_the_first_thing_to_look_at_is_what_is_not_written():
+    passed, blocked = check_result("one", "passed", points=1.0), check_result("two", "not_run", message="Not run")
+    missing, failed = check_result("three", "not_run", unwritten="skew"), check_result("four")
+    assert "Look at this first: three" in shown(passed, blocked, missing)
+    assert "Look at this first: four" in shown(passed, blocked, missing, failed)
+    assert "Look at this first" not in shown(passed, blocked)
+
+
+SLUG = "hw07_double_pendulum"
+SPEED = {"function": "simulate", "scene": "double pendulum", "seconds": 0.1, "error": 1e-6, "machine": 0.5}
+
+
+def test_what_the_pages_know_of_run_times_is_made_from_the_benchmark(course):
+    path = course / "benchmarks" / "run_time_for_pages.py"
+    program = runpy.run_path(str(path))
+    stored = json.loads(program["PLACE"].read_text())
+    assert json.loads(json.dumps(program["shared"]())) == stored, f"run: python {path.relative_to(course)}"
+    assert set(stored) <= set(assignments.slugs(course)) and len(stored) > 4
+
+
+@pytest.mark.parametrize("what", ["return t", "raise NotImplementedError", "import os; os._exit(0)"])
+def test_a_simulation_that_is_none_has_no_point(grade, solution_text, what):
+    text = solution_text(SLUG) + f"\n\ndef simulate(t, *args, **kwargs):\n    {what}\n"
+    assert grade(SLUG, text, 1, speed=True).speed is None
+
+
+@pytest.mark.parametrize(("seconds", "error"), [(1e-4, 1e-15), (0.1, 1e-6), (30.0, 9e-3)])
+@pytest.mark.parametrize("slug", scenes())
+def test_the_point_is_in_the_frame_where_its_numbers_say(slug, seconds, error):
+    drawn = among(slug, {**SPEED, "seconds": seconds, "error": error})
+    x, y = drawn.point
+    assert LEFT <= x <= LAST and TOP <= y <= BOTTOM
+    for position, ticks, value in ((x, drawn.x, error), (y, drawn.y, seconds)):
+        places, decades = zip(*[(at, float(text[2:])) for at, text in ticks], strict=True)
+        assert np.polyval(np.polyfit(places, decades, 1), position) == pytest.approx(np.log10(value), abs=0.05)
+
+
+def test_it_is_measured_when_asked_for_and_stands_on_the_page(tmp_path, solution_text, capsys):
+    hand_in(tmp_path / "in", {"ada": solution_text(SLUG)}, SLUG)
+    pages, actual = [], []
+    for options in ([], ["--speed"]):
+        command = ["grade", str(tmp_path / "in"), "--out", str(tmp_path / "out"), "--seed", "1", "--json", *options]
+        assert cli.main(command) == 0
+        actual.append(json.loads(capsys.readouterr().out))
+        pages.append((tmp_path / "out" / "feedback" / "ada" / f"{SLUG}.html").read_text())
+    assert ["speed" in line for line in actual] == [False, True]
+    assert ["Run time against error" in page for page in pages] == [False, True]

@@ -1,4 +1,4 @@
-"""Compiled code: the motions of Python, a cache on disk, interrupts, and results that do not depend on other runs."""
+"""Compiled code: a cache on disk, interrupts, prepared and repeated runs, and the series of Taylor's method."""
 
 import math
 import os
@@ -6,13 +6,17 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 from parameters import first
+from systems import pendulum
 
-from tam570.integrate import solve
+from tam570.integrate import prepared, solve, solver
+from tam570.invariants import drift
 
 pytest.importorskip("llvmlite")
 
@@ -165,3 +169,198 @@ def test_identical_calls_return_identical_arrays_cold_or_warm_in_any_order(tmp_p
     cold = answers(3 * forwards, tmp_path)
     assert {which: len(digests) for which, digests in cold.items()} == dict.fromkeys(forwards, 1)
     assert cold == answers(forwards[::-1], tmp_path)
+
+
+STARTS = [[1.0, 0.0], (0.1, 2.0), np.array([-2.0, 0.5]), [0.0, 0.0], [3, -1]]
+LENGTH = {"length": 0.7, "gravity": 9.81}
+
+
+def driven(t, y):
+    return y[1], math.cos(t + 0.3) - y[0] ** 3
+
+
+def thrown(t, y, *, length, gravity):
+    return y[1], -length if y[0] > 0 else length
+
+
+@pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), [5.0, 2.0, 1.5]])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
+def test_the_states_are_those_of_solve(monkeypatch, times, rhs, parameters):
+    monkeypatch.setattr("tam570.integrate.solver.solve", pytest.fail)  # the prepared code must not call it
+    for atol in (None, 1e-3, [1e-3, 0.0]):
+        run = prepared(rhs, times, STARTS[0], parameters=parameters, rtol=1e-9, atol=atol)
+        for start in STARTS[:3]:
+            expected = solve(rhs, times, start, parameters=parameters, rtol=1e-9, atol=atol, method="compiled")
+            np.testing.assert_array_equal(run(start), expected)
+
+
+def test_threads_do_not_share_their_memory():
+    times = np.linspace(0, 300, 1001)
+    run = prepared(pendulum, times, STARTS[0], parameters=LENGTH, rtol=1e-12)
+    starts = [[0.01 * k, 0.3] for k in range(1, 41)]
+    with ThreadPoolExecutor(4) as pool:
+        together = list(pool.map(run, starts))
+    for start, states in zip(starts, together, strict=True):
+        np.testing.assert_array_equal(states, run(start))
+
+
+@pytest.mark.parametrize("start", [[1.0], [1, 2, 3], [math.nan, 0.0], [math.inf, 0.0], 1.0, "no", [1.0, None], []])
+def test_a_wrong_start_is_refused_and_the_next_one_runs(start):
+    """A prepared run, and `solve` with a cached run, raise for a wrong start and then still work."""
+    run = prepared(pendulum, [0, 1], STARTS[0], parameters=LENGTH)
+    call = partial(solve, pendulum, [0, 1], parameters=LENGTH, method="compiled")
+    expected = [call(each) for each in STARTS[:3]]
+    for states_from in (run, call):
+        with pytest.raises((ValueError, IndexError)):  # or what rhs itself raises
+            states_from(start)
+        np.testing.assert_array_equal(states_from(STARTS[0]), expected[0])
+
+
+def test_what_cannot_be_compiled_runs_as_it_stands(monkeypatch):
+    run = prepared(thrown, [0, 5], STARTS[0], parameters=LENGTH)
+    np.testing.assert_array_equal(run(STARTS[0]), solve(thrown, [0, 5], STARTS[0], parameters=LENGTH))
+    monkeypatch.setenv("TAM570_COMPILED", "0")
+    plain = prepared(pendulum, [0, 5], STARTS[0], parameters=LENGTH)
+    np.testing.assert_array_equal(plain(STARTS[1]), solve(pendulum, [0, 5], STARTS[1], parameters=LENGTH))
+
+
+@pytest.mark.parametrize("rhs", [pendulum, thrown])
+def test_parameters_are_those_of_the_preparation(rhs):
+    arguments = dict(LENGTH)
+    run = prepared(rhs, [0, 1], STARTS[0], parameters=arguments)
+    before = run(STARTS[0])
+    arguments["length"] = 5.0
+    np.testing.assert_array_equal(run(STARTS[0]), before)
+
+
+def repeated_call(rhs, times, **arguments):
+    """Return a call of `solve` that has been made often enough to have a cached run."""
+    call = partial(solve, rhs, times, method="compiled", **arguments)
+    for start in STARTS[:3]:
+        call(start)
+    return call
+
+
+@pytest.mark.parametrize("times", [[0, 3], np.linspace(-1, 20, 57), (5.0, 2.0, 1.5)])
+@pytest.mark.parametrize(("rhs", "parameters"), [(pendulum, LENGTH), (driven, {})])
+def test_a_call_like_ones_before_gives_what_they_gave(monkeypatch, times, rhs, parameters):
+    run = repeated_call(rhs, times, parameters=parameters, rtol=1e-9, atol=1e-12)
+    with monkeypatch.context() as patch:
+        patch.setattr(solver, "engine", None)  # the cached run needs none
+        results = [run(start) for start in STARTS]
+    monkeypatch.setattr("tam570.integrate.compiled_cache.slot_of", lambda *_: None)
+    for start, states in zip(STARTS, results, strict=True):
+        np.testing.assert_array_equal(states, run(start))
+
+
+def test_a_call_of_which_anything_differs_is_another(monkeypatch):
+    times, arguments = np.array([0.0, 1.0, 3.0]), dict(LENGTH)
+    run = repeated_call(pendulum, times, parameters=arguments)
+    monkeypatch.setattr(solver, "engine", None)
+    first = run(STARTS[0])
+    first[:] = 0.0  # the caller may change a result
+    assert run(STARTS[0])[0].tolist() == STARTS[0]
+    for change in (partial(times.__setitem__, 2, 2.0), partial(arguments.update, length=1.7)):
+        change()
+        with pytest.raises(TypeError):  # no cached run: `solve` calls `engine`, here None
+            run(STARTS[0])
+
+
+def test_rates_that_are_no_numbers_are_refused_before_a_start():
+    with pytest.raises(ValueError, match="^rhs: must return 2 numbers"):
+        prepared(lambda t, y: (-v for v in y), [0, 1], STARTS[0])
+
+
+PLAIN = "sin cos tan asin acos atan sinh cosh tanh asinh atanh exp expm1 log log1p log2 log10 sqrt cbrt erf erfc"
+INNER = {  # functions of u between 0.3 and 0.7
+    **{name: getattr(math, name) for name in PLAIN.split(" ")},
+    "acosh": lambda u: math.acosh(1 + u),
+    "hypot": lambda u: math.hypot(u, 2.0 - u),
+    "hypot with a number": lambda u: math.hypot(u, 0.5),
+    "atan2": lambda u: math.atan2(u, u - 0.5),
+    "power": lambda u: u**2.3,
+    "power of a number": lambda u: 2.5**u,
+    "power of a function": lambda u: (1 + u) ** (u * u),
+    "half powers": lambda u: u**-1.5 + u**2.5,
+    "quotients": lambda u: 1 / u + (1 - u) / (2 + u * u) - u / 3,
+    "sine and cosine together": lambda u: math.sin(u) * math.cos(u) - math.cos(2 * u),
+    "exp twice": lambda u: math.exp(u) + math.expm1(u),
+}
+QUARTER = math.pi / 2
+SYMMETRIC = [(QUARTER, QUARTER), (QUARTER, -QUARTER), (math.pi, 0.0), (0.0, QUARTER), (-QUARTER, math.pi)]
+
+
+@pytest.mark.parametrize("name", INNER)
+def test_the_series_of_every_function(name):
+    """For an argument that rises and falls, two methods agree that share only the values of the function."""
+    inner = INNER[name]
+
+    def rates(t, y):
+        return inner(0.5 + 0.2 * math.cos(y[1])), 1.0 + 0.1 * y[0] * y[0] / (1 + y[0] * y[0])
+
+    t = np.linspace(0, 12, 9)
+    taylor, plain = (solve(rates, t, [0.1, 0.2], rtol=1e-13, method=m) for m in ("compiled", "python"))
+    assert np.abs(taylor - plain).max() < 1e-11 * np.abs(plain).max()
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13, 1e-15])
+def test_a_tolerance_is_kept_at_every_order(rtol):
+    t = np.linspace(0, 6, 200)
+    states = solve(lambda t, y: (y[1], -y[0]), t, [1.0, 0.0], rtol=rtol, method="compiled")
+    exact = np.stack([np.cos(t), -np.sin(t)], 1)
+    assert np.abs(states - exact).max() < 10 * rtol + 2e-15  # samples inside the steps too
+
+
+def double_pendulum(t, state):
+    """Return the rates of two uniform bars of 1 m and 1 kg."""
+    a, b, p, q = state
+    c, s = math.cos(a - b) / 2, math.sin(a - b) / 2
+    f = -s * q * q - 1.5 * 9.81 * math.sin(a)
+    g = s * p * p - 0.5 * 9.81 * math.sin(b)
+    d = 4 / 9 - c * c
+    return p, q, (f / 3 - c * g) / d, (4 / 3 * g - c * f) / d
+
+
+def energy(state):
+    a, b, p, q = state
+    kinetic = 2 / 3 * p * p + q * q / 6 + math.cos(a - b) * p * q / 2
+    return kinetic - 9.81 * (1.5 * math.cos(a) + 0.5 * math.cos(b)) + 2 * 9.81
+
+
+@pytest.mark.parametrize("angles", SYMMETRIC)
+@pytest.mark.parametrize("rtol", [1e-4, 1e-8, 1e-12])
+def test_from_rest_at_symmetric_angles_the_energy_stays(angles, rtol):
+    states = solve(double_pendulum, np.linspace(0, 10, 101), (*angles, 0.0, 0.0), rtol=rtol, method="compiled")
+    assert drift(energy, states).max() < 1e3 * rtol  # a few hundred steps; 0.17 if symmetry misleads them
+
+
+@pytest.mark.parametrize("power", [1, 2, 4, 8, 16, 40])
+@pytest.mark.parametrize("rtol", [1e-5, 1e-12])
+def test_gaps_between_the_coefficients_are_no_accuracy(power, rtol):
+    """y' = 1 + t^power has one coefficient far from the first; y' = 1 + y^power has every power-th."""
+    plain = solve(lambda t, y: (1.0 + t**power,), [0, 2.0], [0.0], rtol=rtol, method="compiled")[-1, 0]
+    assert plain == pytest.approx(2 + 2.0 ** (power + 1) / (power + 1), rel=10 * rtol)
+    grow = partial(solve, lambda t, y: (1.0 + y[0] ** power,), [0.0, 0.5, 0.9], [0.0])
+    curved, best = grow(rtol=rtol, method="compiled"), grow(rtol=1e-15, method="python")
+    assert curved == pytest.approx(best, rel=100 * rtol)  # it becomes infinite at t = 1.6, 1.1, ...
+
+
+def test_a_step_is_judged_at_its_end():
+    """1 / (1 + t^8) has no coefficient between the first and the ninth: at a low order, no step seems too long."""
+    end = solve(lambda t, y: (1 / (1 + t**8),), [0, 100.0], [1.0], rtol=1e-3, method="compiled")[-1, 0]
+    assert end == pytest.approx(1 + math.pi / 8 / math.sin(math.pi / 8), rel=1e-2)  # 7 if it is not
+
+
+def test_what_does_not_move_takes_no_steps_and_stays():
+    states = solve(lambda t, y: (y[1], -math.sin(y[0])), [0, 1e6], [0.0, 0.0], method="compiled")
+    assert (states == 0).all()
+
+
+def test_motions_together_are_each_alone():
+    rng = np.random.default_rng(570)
+    starts, t = rng.uniform(-1, 1, (37, 4)), np.linspace(0, 3, 5)
+    starts[:9, 2:], starts[3] = 0.0, 0.0  # at rest; in equilibrium
+    together = solve(double_pendulum, t, starts, rtol=1e-12, method="compiled")
+    alone = np.array([solve(double_pendulum, t, start, rtol=1e-12, method="compiled") for start in starts])
+    assert np.abs(together - alone).max() < 1e-10
+    assert (together[:, 0] == starts).all()

@@ -1,15 +1,21 @@
-"""`solve`: samples at any times, ensembles, constraints and rotations, and what an import loads."""
+"""`solve`: samples, ensembles, constraints, rotations, the order of the methods, imports, and invalid input."""
 
 import math
+from fractions import Fraction
+from functools import partial
 
 import numpy as np
 import pytest
 from processes import imported_modules
 from scipy.special import sici
-from systems import EPS, PENDULUM, oscillator, pendulum
+from systems import EPS, PENDULUM, clock, oscillator, pendulum
 
-from tam570.integrate import solve, solve_rotation
-from tam570.invariants import drift, rotation_defect, violation
+from tam570.integrate import dop853, solve, solve_rotation
+from tam570.integrate.dop853 import compiled
+from tam570.integrate.formulas import written
+from tam570.integrate.trace import traced
+from tam570.invariants import drift, observed_order, rotation_defect, violation
+from tam570.lectures import rocket
 
 
 def test_the_choice_of_times_changes_nothing():
@@ -97,3 +103,157 @@ def test_a_rotation_passes_zero_over_zero():
 
     omegas, _ = solve_rotation(acceleration, [0.0, 3.0], [0.0, 0.0, 1.0], np.eye(3))
     assert omegas[-1, 0] == pytest.approx(sici(2)[0] + sici(1)[0], rel=1e-9)
+
+
+ROCKET = {"rhs": rocket.rates, "y0": rocket.START, "parameters": rocket.EXAMPLE}
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"t": [0, 1, 1]}, r"^t: must increase, but t\[2\] = 1"),
+        ({"t": [2.0, 0.0, 1.0]}, r"^t: must decrease, but t\[2\] = 1 does not come before t\[1\]"),
+        ({"t": [0.0]}, "^t: need"),
+        ({"t": [0, math.nan]}, "^t: "),
+        ({"t": [0, 1j]}, "^t: must be"),
+        ({"y0": [1.0, math.inf]}, "^y0: every number must be finite"),
+        ({"y0": []}, "^y0: need"),
+        ({"y0": [1j, 0]}, "^y0: must be"),
+        ({"rtol": 0}, "^rtol: "),
+        ({"rtol": [1e-6, 1e-6]}, "^rtol: "),
+        ({"method": "euler"}, "^method: one of"),
+        ({"parameters": {"w": 1}}, "^rhs: cannot be called"),
+        ({"parameters": "w"}, "^parameters: must be a mapping"),
+        ({"rhs": lambda t, y: y[0], "t": [1, 0]}, "^rhs: must return 2 numbers"),
+        ({"rhs": lambda t, y: [[1.0, 2.0], 3.0]}, "^rhs: must return 2 numbers"),
+        ({"rhs": lambda t, y: 1j * np.asarray(y)}, "^rhs: must return real"),
+        ({"rhs": lambda t, y: (math.nan, 0.0)}, "^rhs: gives"),
+        ({"method": "gauss", "step": -1.0}, "^step: must be"),
+        ({"method": "gauss", "step": math.inf}, "^step: must be"),
+        ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
+        ({"max_step": 1e-20}, "^max_step: 1e-20 is too short"),
+        ({"y0": [10**400, 0]}, "^y0: must be"),
+        ({"method": "composition", "rhs": lambda t, y: (y[1], -y[0] - y[1])}, "^method: "),
+        ({"method": "gauss", "project": lambda y: y}, "^project: "),
+        ({"method": "gauss", "dense": True}, "^events, dense, report: "),
+        ({"project": lambda y: y, "dense": True}, "^events, dense, report: "),
+        ({"y0": [[1.0, 0.0]], "dense": True}, "^events, dense, report: "),
+        ({**ROCKET, "t": [0, 18], "method": "gauss"}, r'jump of rhs near t = 10; try "auto"'),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "project": lambda y: y}, "^project: "),
+        ({"y0": [[1.0, 0.0], [0.0, 1.0]], "method": "gauss"}, "^y0: "),
+        ({"method": "compiled", "rhs": lambda t, y: (y[1], -y[0]) if y[0] > 0 else (0.0, 1.0)}, "^method: "),
+    ],
+)
+def test_bad_input_is_named_with_its_remedy(change, message):
+    with pytest.raises(ValueError, match=message):
+        solve(**{"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change})
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"R": np.eye(2)}, "^R: need finite numbers of shape"),
+        ({"R": np.full((3, 3), math.nan)}, "^R: need finite numbers of shape"),
+        ({"omega": (1.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"omega": (math.inf, 0.0, 0.0)}, "^omega: need finite numbers of shape"),
+        ({"t": [0.0]}, "^t: need"),
+        ({"rtol": 1.0}, "^rtol: "),
+    ],
+)
+def test_bad_input_of_a_rotation_is_named_too(change, message):
+    arguments = {"t": [0, 1], "omega": (0.0, 0.0, 1.0), "R": np.eye(3), **change}
+    with pytest.raises(ValueError, match=message):
+        solve_rotation(lambda t, w: (0.0, 0.0, 0.0), **arguments)
+
+
+def test_a_rotation_that_becomes_infinitely_fast_is_told_with_its_time():
+    with pytest.raises(ArithmeticError, match=r"t = 0\.(9|99\d*)|t = 1"):
+        solve_rotation(lambda t, w: (0.0, 0.0, w[2] * w[2]), [0, 2], (0.0, 0.0, 1.0), np.eye(3))
+
+
+def test_tableau_satisfies_the_order_conditions():
+    b = dop853.ROWS[12]
+    for power in range(8):
+        moment = sum(Fraction(w) * Fraction(dop853.NODES[j]) ** power for j, w in b.items())
+        assert abs(moment - Fraction(1, power + 1)) < 20 * EPS  # some weights are as large as 6
+    third = {j: b.get(j, 0.0) + dop853.LESS.get(j, 0.0) for j in b}
+    for estimate in (dop853.FIFTH, third):
+        assert abs(sum(estimate.values())) < 20 * EPS  # no error where the derivative is constant
+
+
+def one_step(h, theta=None):
+    formulas, constants = written(traced(clock, 1))
+    functions = compiled(formulas, True)
+    y = (1.0,)
+    f = functions["rhs"](0.3, y, constants)
+    n, _, g, fifth, third, stages = functions["step"](0.3, h, y, (0.0,), f, y, (0.0,), 0.0, constants)
+    out = np.empty((1, 1))
+    if theta is None:
+        return n[0], fifth, third
+    functions["at"](out, 0, theta, y, functions["dense"](0.3, h, y, n, f, g, stages, constants))
+    return out[0, 0]
+
+
+def exact_clock(t):
+    return math.exp(math.sin(0.3 + t) - math.sin(0.3))
+
+
+def test_a_step_is_of_order_eight_and_its_estimates_of_five_and_three():
+    steps = np.array([1.6, 1.2, 0.9, 0.7])
+    results = [one_step(h) for h in steps]
+    errors = [abs(n - exact_clock(h)) for h, (n, _, _) in zip(steps, results, strict=True)]
+    assert observed_order(steps, errors) > 8.5  # the error of one step has order 9
+    small = steps / 4
+    fifth, third = np.transpose([one_step(h)[1:] for h in small]) ** 0.5
+    assert observed_order(small, fifth) > 5.6
+    assert observed_order(small, third) > 3.6
+
+
+def test_inside_a_step_the_error_is_that_of_the_step():
+    for h in (0.5, 0.3, 0.2):
+        worst = max(abs(one_step(h, x) - exact_clock(x * h)) for x in np.linspace(0.02, 0.98, 25))
+        n, fifth, third = one_step(h)
+        estimate = fifth / math.sqrt(fifth + 0.01 * third)
+        assert worst < 5 * max(estimate, abs(n - exact_clock(h)))  # 20 to 60 with DOP853's interpolant
+
+
+@pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])
+def test_fixed_steps_show_their_order(method, order):
+    steps = np.array([0.8, 0.5, 0.4]) if method == "gauss" else np.array([0.2, 0.125, 0.1])
+    swing = partial(solve, pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81})
+    exact = swing(rtol=1e-15)[-1]
+    errors = [np.abs(swing(method=method, step=h)[-1] - exact).max() for h in steps]
+    assert observed_order(steps, errors) > order - 0.7
+
+
+def test_gauss_knows_the_time_of_its_stages():
+    steps = np.array([1.0, 0.8, 0.5])
+    errors = [abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps]
+    assert observed_order(steps, errors) > 10.5
+
+
+def test_tolerances_beyond_rounding_finish():
+    for rtol in (1e-15, 1e-17, 1e-30):
+        state = solve(oscillator, [0, 100], [1.0, 0.0], rtol=rtol)[-1]
+        assert state == pytest.approx([math.cos(100), -math.sin(100)], abs=100 * EPS)
+
+
+def test_an_estimate_that_passes_through_zero_deceives_nobody():
+    """The estimate of order 5 changes sign in the last step; used alone, it would let the error be 600 tolerances."""
+    t = np.array([-3.0, -1.0, 2.0])
+    states = solve(lambda t, y: (-y[0] * math.cos(t),), t, [math.exp(math.sin(3.0))], rtol=1e-12, method="python")
+    assert states[:, 0] == pytest.approx(np.exp(-np.sin(t)), rel=1e-11)
+
+
+def test_atol_spares_steps_where_nobody_looks():
+    """An atol above the size of a tiny component saves the steps that its own scale needs."""
+
+    def rates(t, y):
+        return y[1], -y[0], y[3], -400 * y[2]
+
+    def steps(**arguments):
+        return solve(rates, [0, 20.0], [1.0, 0.0, 1e-12, 0.0], report=True, method="python", **arguments).report.steps
+
+    assert steps(atol=1e-10) < steps() / 5
+    assert steps(atol=[0.0, 0.0, 1e-10, 1e-10]) < steps() / 5
+    assert steps(atol=0.0) >= steps()
