@@ -167,12 +167,12 @@ def compare_trajectory(  # noqa: PLR0913  as `compare`
     turns = [index for column in columns if column.turns for index in np.arange(width)[column.where]]
     near_miss = NEAR_MISS * tolerance if near_miss_credit else 0.0
 
-    def worst_last(motion: ComparedMotion) -> tuple[bool, int, float]:
-        """Sort by the error or, if it leaves no share, by the length: the curve of the longest shows most."""
-        hopeless = motion.error > NEAR_MISS * tolerance
-        return hopeless, len(motion.actual) if hopeless else 0, motion.error
+    def severity(motion: ComparedMotion) -> tuple[bool, int, float]:
+        """Return the error or, if it leaves no share, first the length: the curve of the longest motion shows most."""
+        has_no_share = motion.error > NEAR_MISS * tolerance
+        return has_no_share, len(motion.actual) if has_no_share else 0, motion.error
 
-    for motion in sorted(motions, key=worst_last, reverse=True):
+    for motion in sorted(motions, key=severity, reverse=True):
         if chaotic and motion.error > tolerance and obeys(motion, everywhere=True):
             continue
         get_context().set_call(function.name, motion.case)

@@ -226,8 +226,10 @@ def _is_stopped(process: SandboxProcess) -> bool:
     try:
         process.send({**REQUEST, "function": "endless", "calls": [[[], {}]]})
         process.receive(lambda reply: reply)
-    except (ProcessLost, ProcessTimeout) as ended:
-        return isinstance(ended, ProcessTimeout)
+    except ProcessTimeout:
+        return True
+    except ProcessLost:
+        return False
     return False
 
 
