@@ -67,7 +67,7 @@ def axle_load(locked, *, mass, front, rear, gravity):
 
 
 def friction_force(state, locked, *, mass, front, rear, friction, gravity):
-    """Force of the ground on the car at the locked axle, along its velocity; zero at rest.
+    """Force of the ground on the car at the locked axle, against its velocity; zero at rest.
 
     state       : (5,) x, y, heading, speed, yaw_rate
     locked      : "front" or "rear"
