@@ -61,7 +61,7 @@ def angles_by_size(rng):
     """Return {label: angles}."""
     signs = np.resize([-1, 1], len(SERIES)) * rng.choice([-1, 1])
     return {
-        "an angle of 1e-12, 1e-9 or 3e-6": (-1e-12, 1e-9, -3e-6),
+        "an angle from 1e-12 to 3e-6": (-1e-12, 1e-9, -9e-7, 3e-6),
         "an angle from 1e-8 to 1": (*10 ** rng.uniform((-8, -4), (-4, 0)) * [1, -1], *signs * SERIES),
         "an angle next to a half turn, or a whole turn": (np.pi - 1e-9, 1e-9 - np.pi, 2 * np.pi),
         "an angle from 100 to 1e6": (*10 ** rng.uniform((2, 4), (4, 6)) * signs[:2],),
@@ -97,9 +97,11 @@ def of_vectors(rng, turns):
 
 
 def vectors_by_size(rng):
-    sizes = turns_by_size(rng, lengths(rng))
-    sizes[1] += of_any_length(rng)[-1:]
-    return [of_vectors(rng, turns) for turns in sizes]
+    sizes = [of_vectors(rng, turns) for turns in turns_by_size(rng, lengths(rng))]
+    near_unit = of_any_length(rng)[-1]
+    short = near_unit.with_leading(rng.normal(size=3) * 1e-12).labelled("a very short vector")
+    sizes[1] += [*of_vectors(rng, [near_unit]), short]
+    return sizes
 
 
 def turned_vectors(rng):
