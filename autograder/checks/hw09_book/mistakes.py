@@ -114,7 +114,7 @@ def axis_angle(reference, R):
 
 @mistake(first_fails=checks.small_angles_keep_their_digits)
 def axis_angle(reference, R):
-    """Your angle is the arccos of the trace, which loses half of the digits near 0 and pi; use arctan2."""
+    """Your angle is from the trace alone, which loses half of the digits near 0 and pi; use arctan2."""
     return reference(R)[0], math.acos(np.clip((np.trace(R) - 1) / 2, -1, 1))
 
 
@@ -136,7 +136,7 @@ def axis_angle(reference, R):
 
 @mistake(first_fails=checks.angles_near_pi_keep_their_digits)
 def axis_angle(reference, R):
-    """You divide R - R^T by 2 sin(angle), which rounding spoils near pi; use R + R^T there."""
+    """You take the axis, or its sign, from R - R^T, which rounding spoils near pi; use R + R^T there."""
     axis, angle = reference(R)
     twice_sine_n = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     return twice_sine_n / (2 * math.sin(angle)) if angle > 0 else axis, angle

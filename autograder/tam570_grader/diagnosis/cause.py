@@ -16,7 +16,8 @@ class Cause:
     function     : the function whose results are wrong
     message      : what the student reads; empty if the failure follows from an earlier cause
     source       : "known mistake", "result", "transform", "mutant", "place"; "rule": the check sees it in the rows of a
-                   motion; "own": calls of the student's own functions show from which one it follows
+                   motion; "memory": the call is right in a new process; "own": calls of the student's own functions
+                   show from which one it follows
     answers      : the solution's answers with this mistake in it, for each way to make it; nothing follows if empty
     calls        : the calls that it explains
     follows_from : the function with the mistake that explains these results

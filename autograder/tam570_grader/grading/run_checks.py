@@ -32,6 +32,7 @@ from tam570_grader.diagnosis.mistakes import (
     computed,
     explains,
     is_motion,
+    right_answer,
     same,
     solution_with,
     tolerance_of,
@@ -43,6 +44,7 @@ from tam570_grader.grading.seeds import derive
 from tam570_grader.grading.speed import speed_of
 from tam570_grader.reports.sentences import full_message
 from tam570_grader.results.records import CheckResult, Result
+from tam570_grader.sandbox.function import WORK_ON_COPIES
 from tam570_grader.sandbox.imports import NotLoaded
 from tam570_grader.sandbox.launch import isolation
 from tam570_grader.sandbox.pool import ONLY, Attempt
@@ -54,6 +56,8 @@ TOO_MUCH = "what it returns takes the grader too much {} to judge"
 FOLLOWING_SHARE = 2 / 3  # of the points, if the only fault is a mistake that an earlier check already charged
 UNFIT = TypeError, ValueError, LookupError, ArithmeticError, AttributeError  # arguments or results differ in form
 HELPER = re.compile(r"\bdef (\w+)\(")
+REMEMBERS = "You keep something from one call to the next, in a global or a default argument; called first, {} is right"
+SMALLER = 1e-3  # of its error is left if a call is right in a new process
 MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls compared, passing calls added to a search
 Recorder = Callable[[str, float], None]
 Unnamed = tuple[Check, Failed, tuple[Call, ...]]
@@ -251,6 +255,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
                     cause = _own_source(run, failed) or search(calls, may_follow=False)
+            cause = cause or _memory(run, failed)
             if cause is None and failed.failure.hint in OF_ROWS:
                 cause = Cause(failed.failure.function, "", "rule")
             return cause, ""
@@ -264,7 +269,8 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     """Return a cause that names the student's wrong function behind this failure, as the check or a solution shows."""
     calls, assignment, failure = run.student.calls, run.assignment, failed.failure
     before = [(result.failure.function, result.failure.hint) for result in run.results.values() if result.failure]
-    repeats_rule = failure.hint in OF_ROWS and (failure.function, failure.hint) in before
+    is_rule = failure.hint in OF_ROWS or (failure.hint == WORK_ON_COPIES and _has_right_numbers(run, failure))
+    repeats_rule = is_rule and (failure.function, failure.hint) in before
     if source := failure.follows_from or (failure.function if repeats_rule else ""):
         return Cause(failure.function, "", "own", follows_from=source)
     if len({call.name for call in calls}) != 1 or any(_is_drawn(assignment, call) for call in calls):
@@ -274,6 +280,39 @@ def _own_source(run: _Run, failed: Failed) -> Cause | None:
     allowed = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
     source = next((other for other in allowed if _is_consequence(run, other, calls)), "")
     return Cause(name, "", "own", follows_from=source) if source else None
+
+
+def _memory(run: _Run, failed: Failed) -> Cause | None:
+    """Return the cause if the failed call is right in a new process, in which it is the first one."""
+    failure, calls = failed.failure, run.student.calls
+    call = next((call for call in calls if call.case is failure.at and call.name == failure.function), None)
+    if call is None or _is_drawn(run.assignment, call):
+        return None
+    expected = right_answer(run.assignment.solution, call)
+    with run.student.afresh(), suppress(Failed):
+        result = getattr(run.student, call.name)(*call.case.args, **call.case.kwargs)
+        if same(result, expected, tolerance_of(call)) and _error(result, expected) <= SMALLER * _error(
+            call.result, expected
+        ):
+            is_known = any(cause.source == "memory" and cause.function == call.name for cause in run.causes.values())
+            message, source = ("", call.name) if is_known else (REMEMBERS.format(call.name), "")
+            return Cause(call.name, message, "memory", follows_from=source)
+    return None
+
+
+def _error(result: Numbers, expected: Numbers) -> float:
+    """Return the largest error of a result; infinite if it has another form."""
+    pairs = [*zip(parts(result), _parts_like(result, expected), strict=False)] if result is not None else []
+    if any(np.shape(number) != np.shape(right) for number, right in pairs) or not pairs:
+        return np.inf
+    return max(float(np.abs(np.subtract(number, right)).max(initial=0.0)) for number, right in pairs)
+
+
+def _has_right_numbers(run: _Run, failure: Failure) -> bool:
+    """Return whether the failed call, and all others of the check, have the right numbers."""
+    solution, calls = run.assignment.solution, run.student.calls
+    is_among = any(call.case is failure.at for call in calls)
+    return is_among and all(same(call.result, answer(solution, "", call), tolerance_of(call)) for call in calls)
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
@@ -490,7 +529,7 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
         function = failed.failure.function  # if it hung before, it is not called again
         hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
         following = _following(run, check, _earlier(run.causes)) or next(hung, None)
-        cause = following or _own_source(run, failed) or _shared_helper(run, None, failed)
+        cause = following or _own_source(run, failed) or _shared_helper(run, None, failed) or _memory(run, failed)
         if cause is None:
             return None
         run.causes[check.name] = cause

@@ -24,6 +24,7 @@ ROUNDING = 1e-25  # largest imaginary part, absolute, if they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # Python's message about wrong arguments
 BLOCK = re.compile(r"^(?:def|class) +([A-Za-z_]\w{0,39})\b", re.MULTILINE)  # a function or class of a file
 MOST_BLOCKS = 50  # limits what the name of the function that raises can reveal about hidden inputs
+WORK_ON_COPIES = "Work on copies"
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
@@ -100,6 +101,10 @@ class SandboxFunction:
                     results.append(result(self.returns, reply["value"], self.name, call))
             except Failed as failed:  # go on: the other results help to find the mistake
                 first_failed = first_failed or failed
+                if reply.get("changed") and not isinstance(self.returns, FreeBodyDiagram):
+                    with suppress(Failed):
+                        numbers = result(self.returns, reply["value"], self.name, call)
+                        self.student.calls[-1] = Call(self.name, call, numbers)
                 continue
             self.student.worked.add(self.name)
             if not isinstance(self.returns, FreeBodyDiagram):  # has no numbers for the diagnosis
@@ -147,10 +152,10 @@ class SandboxFunction:
             refused = "error" in reply and "ValueError" in reply["error"]["kinds"]
             with self._judging(call, any_input=True):
                 if not refused:
-                    self._must_be_fair(reply, expected=", not ValueError")
-                    with suppress(Failed):  # keep the result for the diagnosis
+                    with suppress(Failed, KeyError):  # keep the result for the diagnosis
                         numbers = result(self.returns, reply["value"], self.name, call)
                         self.student.calls.append(Call(self.name, call, numbers))
+                    self._must_be_fair(reply, expected=", not ValueError")
             yield call, refused
 
     def at(self, points: Sequence[Mapping[str, float]]) -> np.ndarray:
@@ -219,7 +224,7 @@ class SandboxFunction:
             hint = f"It was raised in {source}, which {self.name} calls" if source not in ("", self.name) else ""
             raise Failed(f"{self.name} {self._did(error, expected)}", actual=error["text"], hint=hint)
         if reply.get("changed"):
-            raise Failed(f"{self.name} changes the arrays it is given", hint="Work on copies")
+            raise Failed(f"{self.name} changes the arrays it is given", hint=WORK_ON_COPIES)
 
     def _did(self, error: Json, expected: str) -> str:
         """Return what the function did instead of returning, without text that the student may have written."""

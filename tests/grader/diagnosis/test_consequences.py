@@ -359,3 +359,34 @@ def test_a_mistake_without_a_name_in_a_helper_is_charged_once(checked, slips, is
     pairs = following(actual)
     assert (("energy", "acceleration_newton") in pairs) == is_one
     assert actual["energy_is_kinetic_and_potential"].outcome == "failed"
+
+
+IN_PLACE = """
+_rotate = rotate
+
+
+def rotate(r, axis, angle):
+    turned = {}_rotate(r, axis, angle)
+    r += 1
+    return turned
+"""
+KEEPING = """
+_sequence, kept = space_sequence, []
+
+
+def space_sequence(steps):
+    kept.extend(steps)
+    return {}_sequence(kept)
+"""
+
+
+@pytest.mark.parametrize(("sign", "pairs"), [("", {("rotate", "rotate")}), ("-", set())])
+def test_an_array_changed_in_place_is_charged_once_if_the_numbers_are_right(checked, sign, pairs):
+    assert following(checked("hw08_axis_angle", more=IN_PLACE.format(sign))) == pairs
+
+
+@pytest.mark.parametrize(("sign", "pairs"), [("", {("space_sequence", "space_sequence")}), ("-", set())])
+def test_what_is_kept_between_calls_is_told_if_the_first_call_is_right(checked, sign, pairs):
+    actual = checked("hw09_book", more=KEEPING.format(sign))
+    told = [check for check in actual.values() if check.suspect and "from one call to the next" in check.suspect]
+    assert len(told) == len(pairs) and pairs <= following(actual)
