@@ -70,7 +70,7 @@ def test_readme_hints_and_checks_name_every_function_and_ten_points(slug, course
     assignment, folder = assignments.assignment(course, slug), course / "assignments" / slug
     rows = re.findall(r"^\| `(\w+)\(.*?\| *([\d.]+) *\|", (folder / "README.md").read_text(), re.MULTILINE)
     hints = tomllib.loads((folder / "hints.toml").read_text())
-    assert set(dict(rows)) == set(hints) == set(assignment.results) == set(assignments.solution(slug).__all__)
+    assert set(dict(rows)) == set(hints) == set(assignment.returns) == set(assignments.solution(slug).__all__)
     assert sum(float(points) for _, points in rows) == pytest.approx(10.0) and assignment.max_score == 10.0
     assert all(steps and all(step.strip() for step in steps) for steps in hints.values())
     assert all(check.line and check.points > 0 for check in assignment.checks)
@@ -131,7 +131,7 @@ def test_the_inputs_of_a_check_tell_its_mistakes_from_the_truth(slug, check, stu
     with check_context():
         check.run(student, np.random.default_rng(5))
     names = {call.name for call in student.calls}
-    compared = [call for call in student.calls if not isinstance(assignment.results[call.name], FreeBodyDiagram)]
+    compared = [call for call in student.calls if not isinstance(assignment.returns[call.name], FreeBodyDiagram)]
     suspects = candidates(solution_text(slug), FOLDERS[slug], {call.name for call in compared})
     assert named_mistake(solution_text(slug), suspects, compared) is None
     assert not names or names & set(re.findall(r"\w+", check.title)), "its title names none that it calls"
@@ -158,7 +158,7 @@ NOTHING = [
 
 @pytest.mark.parametrize(("slug", "what"), NOTHING)
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
-    results = assignments.assignment(course, slug).results
+    results = assignments.assignment(course, slug).returns
     text = "\n".join(
         EMPTY[what].format(f=name, zeros=filled(returns, "0."), nan=filled(returns, "float('nan')"))
         for name, returns in results.items()
@@ -175,7 +175,7 @@ def test_the_untouched_stub_scores_nothing(slug, grade, course):
 
 @pytest.mark.parametrize("slug", first(1, SLUGS))
 def test_an_endless_loop_scores_nothing(slug, grade, course):
-    names = assignments.assignment(course, slug).results
+    names = assignments.assignment(course, slug).returns
     text = "\n".join(f"def {name}(*args, **kwargs):\n    while True: pass" for name in names)
     result = grade(slug, text, limits=ResourceLimits(cpu=1, call=0.5), naming=False)
     assert (result.status, result.score) == ("timeout", 0)
@@ -190,7 +190,7 @@ def called_functions(slug):
 @pytest.mark.parametrize("slug", first(2, SLUGS))
 @pytest.mark.parametrize("what", first(1, WRAPPERS))
 def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, solution_text):
-    results = assignments.assignment(course, slug).results
+    results = assignments.assignment(course, slug).returns
     numeric = {name for name, returns in results.items() if isinstance(returns, Array | Group)}
     result = grade(slug, solution_text(slug) + wrapped(results, WRAPPERS[what]), naming=False)
     earning = {check.name for check in result.checks if check.points}
@@ -200,7 +200,7 @@ def test_right_numbers_in_a_wrong_form_score_nothing(slug, what, grade, course, 
 @pytest.mark.parametrize("slug", first(1, SLUGS))
 @pytest.mark.parametrize("form", ["lambda x: np.asarray(x).tolist()", "lambda x: np.asarray(x, dtype=object)"])
 def test_right_numbers_in_any_form_that_asarray_takes_have_full_marks(slug, form, grade, course, solution_text):
-    result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).results, form))
+    result = grade(slug, solution_text(slug) + wrapped(assignments.assignment(course, slug).returns, form))
     assert result.score == result.max_score, failures(result)
 
 

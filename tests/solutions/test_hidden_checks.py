@@ -102,7 +102,7 @@ def test_none_that_only_seems_special_is_taken(definition, p, c, flaw):
 
 def test_the_size_of_a_flight_back_at_launch_height_is_that_of_its_path():
     """The scale comes from the path, because the heights at both ends are 0, to which no error can be relative."""
-    columns = assignments.assignment(assignments.find(), "hw02_ballistics").results["simulate"].columns
+    columns = assignments.assignment(assignments.find(), "hw02_ballistics").returns["simulate"].columns
     time = ballistics.flight_time(SPEED, math.pi / 2, drag=0.3, **BALL)
     call = Case(np.array([2.0, 2.0 + time]), SPEED, math.pi / 2, drag=0.3, **BALL)
     ends = ballistics.trajectory(call.args[0] - 2.0, *call.args[1:], **call.kwargs)

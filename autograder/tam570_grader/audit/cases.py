@@ -108,7 +108,7 @@ def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
     for mutant in mutants(assignment.slug, solution):
         reach = within_reach(reachable, mutant.function)
         yield Wrong(f"mutant {mutant.name}", mutant.text, reach, calling(calls, reach))
-        if mutant.function in assignment.results and len(reach) > 1:
+        if mutant.function in assignment.returns and len(reach) > 1:
             itself = frozenset({mutant.function})
             yield Wrong(f"mutant {mutant.name} alone", alone(solution, mutant, calls), itself, calling(calls, itself))
 
@@ -127,7 +127,7 @@ def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:
 def _told_apart(assignment: LoadedAssignment, check: Check, student: LocalStudent) -> Iterator[Any]:
     """Yield, for each mistake of a check and each tried before it, a name and the cases in which they differ."""
     folder, solution = assignments.checks_folder(assignment.root, assignment.slug), assignment.solution
-    compared = {name for name, returns in assignment.results.items() if isinstance(returns, Array | Group)}
+    compared = {name for name, returns in assignment.returns.items() if isinstance(returns, Array | Group)}
     calls = [call for call in student.calls if call.name in compared]
     suspects = candidates(solution, folder, {call.name for call in calls})
     for index, mistake in enumerate(suspects):

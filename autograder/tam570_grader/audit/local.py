@@ -102,9 +102,9 @@ class LocalStudent:
         self.start()
 
     def __getattr__(self, name: str) -> SandboxFunction:
-        if name not in self._assignment.results:
+        if name not in self._assignment.returns:
             raise AttributeError(name)
-        return SandboxFunction(self, name, self._assignment.results[name])
+        return SandboxFunction(self, name, self._assignment.returns[name])
 
     def start(self) -> None:
         """Reset the state for another run of the check; keep `failed` and `replaced`."""
@@ -151,7 +151,7 @@ class LocalStudent:
         """Return whether a reply fails the check independently of its numbers."""
         if expected:  # exceptions may be right
             return ("error" in reply) != ("error" in expected())
-        returns = self._assignment.results[name]
+        returns = self._assignment.returns[name]
         if "error" in reply or mode != "value" or not isinstance(returns, Array | Group | FreeBodyDiagram):
             return "error" in reply
         try:

@@ -18,7 +18,6 @@ from tam570.values import Numbers
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check, draw_once
 from tam570_grader.checks.effort import Finder
-from tam570_grader.checks.returns import ReturnSpec
 from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
 
@@ -31,19 +30,14 @@ sys.meta_path.insert(0, Finder(PACKAGES))  # their steps are counted
 OVERRIDES, ADDITIONS = "adapted", "own"  # modules beside `checks` in an adapted course
 
 
-@dataclass(frozen=True)
-class LoadedAssignment:
+@dataclass(frozen=True, kw_only=True)
+class LoadedAssignment(Assignment):
     """An assignment with all that the grader needs."""
 
     slug: str
     checks: tuple[Check, ...]
-    results: Mapping[str, ReturnSpec]
-    needs: Sequence[str]
-    states: Sequence[int]
-    forbidden: Mapping[str, Sequence[str]]
-    source: bytes  # of checks.py
     rubric: Mapping[str, ManualPart]  # parts graded by hand, by letter
-    root: Path = Path()
+    root: Path
 
     @property
     def solution(self) -> str:
@@ -65,7 +59,7 @@ class LoadedAssignment:
     def worth(self) -> dict[str, float]:
         """The points of each function: the sum over the checks that are about it."""
         checks = self.checks
-        return {name: sum(check.points for check in checks if check.function == name) for name in self.results}
+        return {name: sum(check.points for check in checks if check.function == name) for name in self.returns}
 
     @property
     def max_score(self) -> float:
@@ -142,15 +136,11 @@ def assignment(root: Path, slug: str) -> LoadedAssignment:
     (slug,) = match_slugs([slug], slugs(root))
     folder = checks_folder(root, slug)
     module = _checks(folder)
-    source = (folder / "checks.py").read_bytes()
-    checks = _named_checks(module)
-    stated = _stated(module)
+    checks, stated = _named_checks(module), _stated(module)
     rubric = load_rubric(root / "assignments" / slug)
     if unknown := [check.name for check in checks if check.function not in stated.returns]:
         raise UsageError(f"{slug}: the check {unknown[0]} is about no function of the assignment")
-    loaded = LoadedAssignment(
-        slug, checks, stated.returns, stated.needs, stated.states, stated.forbidden, source, rubric, root
-    )
+    loaded = LoadedAssignment(slug=slug, checks=checks, rubric=rubric, root=root, **vars(stated))
     return _adapted(loaded, folder) if (folder / f"{OVERRIDES}.py").exists() else loaded
 
 
@@ -187,7 +177,7 @@ def _adapted(original: LoadedAssignment, folder: Path) -> LoadedAssignment:
             replace(check, after=tuple(chosen[each.name] for each in check.after if each.name in chosen))
             for check in chosen.values()
         ),
-        results={**original.results, **(_stated(added).returns if added and hasattr(added, "ASSIGNMENT") else {})},
+        returns={**original.returns, **(_stated(added).returns if added and hasattr(added, "ASSIGNMENT") else {})},
         forbidden={where: names for where, names in forbidden.items() if names},
         rubric={letter: part for letter, part in original.rubric.items() if letter not in change.LEAVE_OUT},
     )

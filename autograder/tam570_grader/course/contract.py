@@ -17,6 +17,6 @@ def with_points(readme: str, worth: Mapping[str, float]) -> str:
 
 def contract(assignment: LoadedAssignment) -> str:
     """Return contract.json: a line for the form of each function's results, and the names that are off limits."""
-    results = [f'  "{name}": {json.dumps(form(returns))}' for name, returns in assignment.results.items()]
+    results = [f'  "{name}": {json.dumps(form(returns))}' for name, returns in assignment.returns.items()]
     banned = json.dumps({name: list(modules) for name, modules in assignment.forbidden.items()})
     return '{\n "results": {\n' + ",\n".join(results) + '\n },\n "off_limits": ' + banned + "\n}\n"

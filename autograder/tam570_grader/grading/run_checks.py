@@ -143,7 +143,7 @@ class _NoStudent:
     assignment: LoadedAssignment
 
     def __getattr__(self, name: str) -> SimpleNamespace:
-        return SimpleNamespace(name=name, returns=self.assignment.results[name])
+        return SimpleNamespace(name=name, returns=self.assignment.returns[name])
 
 
 def rehearse(assignment: LoadedAssignment, seed: int) -> None:
@@ -324,7 +324,7 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
-        used = (names_reached(text, name) & assignment.results.keys()) - {name}
+        used = (names_reached(text, name) & assignment.returns.keys()) - {name}
         if wrong not in used or used & zeros:
             continue
         module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
@@ -348,7 +348,7 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
     results, or one mutant of code that a solution shares explains both, or one factor on what the helper returns makes
     both right.
     """
-    student, results, calls = run.student, run.assignment.results, run.student.calls
+    student, results, calls = run.student, run.assignment.returns, run.student.calls
     name = calls[0].name if calls else ""
     if not calls or {call.name for call in calls} != {name} or any(_is_drawn(run.assignment, call) for call in calls):
         return None
@@ -542,7 +542,7 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
 
 def _is_drawn(assignment: LoadedAssignment, call: Call) -> bool:
     """Return whether a call returns a free body diagram, which has no numbers to compare."""
-    return isinstance(assignment.results[call.name], FreeBodyDiagram)
+    return isinstance(assignment.returns[call.name], FreeBodyDiagram)
 
 
 def _passed(check: Check) -> CheckResult:

@@ -81,7 +81,7 @@ def _candidates(assignment: LoadedAssignment) -> list[Example]:
     examples: dict[tuple[str, bytes], Example] = {}
     count: dict[tuple[object, ...], int] = {}
     for collected in notes:
-        returns, case = assignment.results[collected["function"]], collected["case"]
+        returns, case = assignment.returns[collected["function"]], collected["case"]
         if isinstance(returns, Formula | Drawing):
             continue
         key = collected["function"], case.packed

@@ -29,7 +29,7 @@ def run(course: Path, folder: Path) -> int:
     text = (TEMPLATES / "kit.md").read_text(encoding="utf-8")
     slugs = assignments.slugs(course)
     if EXAMPLE not in slugs:
-        function = next(iter(assignments.assignment(course, slugs[0]).results))
+        function = next(iter(assignments.assignment(course, slugs[0]).returns))
         text = text.replace(EXAMPLE, slugs[0]).replace(EXAMPLE[:4], slugs[0][:4]).replace("rotation_matrix", function)
     held = "\n".join(f"- {slug[:4]}: {assignments.title(course, slug)}" for slug in slugs)
     with writing(folder):

@@ -105,7 +105,7 @@ def functions_by_part(assignment: LoadedAssignment) -> dict[str, str]:
     for check in assignment.checks:
         parts.setdefault(check.function, check.part)
     first = assignment.checks[0].part
-    return {name: parts.get(name, first) for name in assignment.results}
+    return {name: parts.get(name, first) for name in assignment.returns}
 
 
 def visible_by_part(assignment: LoadedAssignment, tests: str) -> dict[str, list[str]]:

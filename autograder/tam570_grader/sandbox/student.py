@@ -54,10 +54,10 @@ class Student:
         self._cpu, self._lasted = 0.0, 0.0  # s, CPU time and wall time of the processes that have ended
 
     def __getattr__(self, name: str) -> "Function":
-        if name not in self._assignment.results:
+        if name not in self._assignment.returns:
             raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
         banned = [*self._assignment.forbidden.get(name, ()), *self._assignment.forbidden.get("*", ())]
-        return SandboxFunction(self, name, self._assignment.results[name], banned)
+        return SandboxFunction(self, name, self._assignment.returns[name], banned)
 
     @contextmanager
     def aside(self, retried: str = "") -> Iterator[None]:
@@ -128,7 +128,7 @@ class Student:
             raise Failed(**self.broken[name])
         if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
             raise Failed(f"{name} takes too long to be called once more")
-        banned, results = self._assignment.forbidden.get(name, ()), self._assignment.results
+        banned, results = self._assignment.forbidden.get(name, ()), self._assignment.returns
         refused = [name for name in banned if name in results]  # functions of the file; the others are modules
         uncallable = tuple(name for name in banned if name not in results)
         process = self._process(uncallable)
@@ -207,7 +207,7 @@ class Student:
                     "source": self._source.text,
                     "notebook": self._source.notebook,
                     "name": self._assignment.slug,
-                    "functions": list(self._assignment.results),
+                    "functions": list(self._assignment.returns),
                     "uncallable": list(uncallable),
                     "forbidden": list(self._assignment.forbidden.get("*", ())),
                 }

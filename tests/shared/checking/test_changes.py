@@ -100,7 +100,7 @@ def test_a_parameter_that_names_a_function_tells_which_one_is_meant():
 def test_all_tests_passed_are_all_points_and_mending_one_never_takes_points(slug, course):
     """The points never fall as the tests pass one after the other, in either order, and end at 10."""
     called_by = calls((course / "assignments" / slug / f"test_{slug}.py").read_text(), slug)
-    assert set.union(*called_by.values()) >= set(assignments.assignment(course, slug).results)
+    assert set.union(*called_by.values()) >= set(assignments.assignment(course, slug).returns)
     for order in (list(called_by), list(called_by)[::-1]):
         come = [progress(slug, dict.fromkeys(order[:n], "passed"), called_by) for n in range(len(order) + 1)]
         assert all(before["points"] <= after["points"] for before, after in itertools.pairwise(come))
