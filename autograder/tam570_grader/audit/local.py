@@ -14,22 +14,23 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import cache, partial
 from pathlib import Path
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
 from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
-from tam570_grader.checks.case import Call, Case
+from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import CheckContext, Failed, check_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
 from tam570_grader.grading.run_checks import generator
 from tam570_grader.protocol.answer import answers
 from tam570_grader.protocol.wire import packed, unpacked
-from tam570_grader.sandbox.function import SandboxFunction
 from tam570_grader.sandbox.replies import checked
+from tam570_grader.sandbox.student import Source, Student
+from tam570_grader.sandbox.zygote import Zygote
 
 SEED = 570
 SLOWEST = 2.0  # s of CPU time, limit of a call
@@ -91,25 +92,19 @@ def _clock() -> Iterator[None]:
         signal.signal(signal.SIGPROF, before)
 
 
-class LocalStudent:
-    """A submission as a check sees it, with the interface of `sandbox.student.Student`."""
+class LocalStudent(Student):
+    """A submission as a check sees it, whose functions are called in this process."""
 
     def __init__(self, assignment: LoadedAssignment, check: Check, solution: Replies, replies: Replies) -> None:
-        self._assignment, self._check, self._solution, self._replies = assignment, check, solution, replies
-        self.text = ""
+        super().__init__(Source(b""), assignment, cast(Zygote, None))
+        self._check, self._solution, self._replies = check, solution, replies
         self.failed: set[Key] = set()
         self.replaced: set[Key] = set()  # cases whose replies are replaced by the solution's
         self.start()
 
-    def __getattr__(self, name: str) -> SandboxFunction:
-        if name not in self._assignment.returns:
-            raise AttributeError(name)
-        return SandboxFunction(self, name, self._assignment.returns[name])
-
     def start(self) -> None:
         """Reset the state for another run of the check; keep `failed` and `replaced`."""
-        self.calls: list[Call] = []
-        self.worked: set[str] = set()
+        self.calls, self.worked = [], set()
         self.cases: dict[Key, Case] = {}
         self.functions: set[str] = set()  # functions that were called
         self._keys: dict[tuple[str, int], Key] = {}
@@ -124,12 +119,6 @@ class LocalStudent:
             key = Key(self._check.name, function, case.label, self._count[function, case.label])
             self._keys[function, id(case)], self.cases[key] = key, case
         return self._keys[function, id(case)]
-
-    def takes(self, name: str) -> str:
-        return ""
-
-    def aside(self, retried: str = "") -> contextlib.AbstractContextManager[None]:
-        return contextlib.nullcontext()
 
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:
         self.functions.add(name)

@@ -2,10 +2,10 @@
 
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, suppress
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
 from itertools import repeat
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, resu
 from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
+if TYPE_CHECKING:
+    from tam570_grader.sandbox.student import Student
+
 REAL = 1e-12  # largest imaginary part of a real value, relative; sums of complex exponentials leave some
 ROUNDING = 1e-25  # largest imaginary part, absolute, if they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # Python's message about wrong arguments
@@ -28,27 +31,11 @@ WORK_ON_COPIES = "Work on copies"
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
 
-class StudentLike(Protocol):
-    """The part of `Student` that a SandboxFunction uses."""
-
-    calls: list[Call]
-    worked: set[str]
-
-    @property
-    def text(self) -> str: ...
-
-    def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Json]: ...
-
-    def takes(self, name: str) -> str: ...
-
-    def aside(self, retried: str = "") -> AbstractContextManager[None]: ...
-
-
 @dataclass(frozen=True)
 class SandboxFunction:
     """A student's function of the contract."""
 
-    student: StudentLike
+    student: "Student"
     name: str
     returns: Any
     banned: Sequence[str] = ()  # names that are off limits in it
