@@ -103,7 +103,7 @@ def launch_early() -> None:
     """
     if _has_bubblewrap():
         _trials.append(_trial())
-        _early.append(LaunchedZygote(_with_path(jailed_command([])), SCRATCH))
+        _early.append(LaunchedZygote(jailed_command([]), SCRATCH))
 
 
 def launch(hidden: Sequence[Path]) -> LaunchedZygote:
@@ -128,12 +128,7 @@ def close_early() -> None:
 @functools.cache
 def command(hidden: tuple[Path, ...]) -> list[str]:
     """Return the command of a zygote that does not see these folders; most are not visible to it anyway."""
-    return _with_path(jailed_command(hidden) if isolation() == "bubblewrap" else plain_command())
-
-
-def _with_path(command_and_path: tuple[list[str], list[str]]) -> list[str]:
-    command, path = command_and_path
-    return [*command, json.dumps(path)]
+    return jailed_command(hidden) if isolation() == "bubblewrap" else plain_command()
 
 
 def write_bytecode() -> None:
@@ -181,21 +176,25 @@ def hide_from_submissions() -> None:
     hidden_from_debuggers()
 
 
-def _python() -> list[str]:
-    """Return the command of the interpreter outside of any virtual environment; BOOT sets its search path."""
-    return [os.path.realpath(sys._base_executable), "-s", "-S", "-P", "-B", "-c", BOOT]  # type: ignore[attr-defined]
+def _python(path: Sequence[str]) -> list[str]:
+    """Return the command of the interpreter outside of any virtual environment; BOOT sets its search path.
+
+    path : the last folder contains `protocol`
+    """
+    program = os.path.realpath(sys._base_executable)  # type: ignore[attr-defined]
+    return [program, "-s", "-S", "-P", "-B", "-c", BOOT, json.dumps(path)]
 
 
 def _site_folders() -> list[str]:
     return [folder for folder in sys.path if Path(folder).name in ("site-packages", "dist-packages")]
 
 
-def plain_command() -> tuple[list[str], list[str]]:
-    """Return command and search path of a zygote without a jail; the last folder contains `protocol`."""
+def plain_command() -> list[str]:
+    """Return the command of a zygote without a jail."""
     path = [*_site_folders(), str(Path(tam570.__file__).parents[1]), str(HOME)]
     if os.geteuid() == 0:
         _must_be_readable([sys.base_prefix, *path])
-    return _python(), path
+    return _python(path)
 
 
 def _must_be_readable(folders: Sequence[str]) -> None:
@@ -210,11 +209,11 @@ def _must_be_readable(folders: Sequence[str]) -> None:
             )
 
 
-def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
-    """Return command and search path of a zygote in bubblewrap, which sees Python, its packages and `tam570`."""
+def jailed_command(hidden: Sequence[Path]) -> list[str]:
+    """Return the command of a zygote in bubblewrap, which sees Python, its packages and `tam570`."""
     sites = _site_folders()
     course = Path(tam570.__file__).parent
-    shown = {folder: folder for folder in [*sites, *_python_folders(), _python()[0]] if os.path.exists(folder)}
+    shown = {folder: folder for folder in [*sites, *_python_folders(), _python([])[0]] if os.path.exists(folder)}
     shown |= {"/opt/course/tam570": str(course), "/opt/grader/protocol": str(HOME / "protocol")}
     binds = [(Path(target), ["--ro-bind", os.path.realpath(source)]) for target, source in shown.items()]
     below = [path for path in hidden if any(path.is_relative_to(target) for target, _ in binds)]
@@ -233,7 +232,7 @@ def jailed_command(hidden: Sequence[Path]) -> tuple[list[str], list[str]]:
     for path, _ in masks:  # read-only, or submissions could leave data there
         command += ["--remount-ro", str(path)]
     command += ["--tmpfs", SCRATCH, "--remount-ro", "/dev", "--remount-ro", "/", "--chdir", "/", "--"]
-    return [*command, *_python()], [*sites, "/opt/course", "/opt/grader"]
+    return [*command, *_python([*sites, "/opt/course", "/opt/grader"])]
 
 
 def other_packages(sites: Sequence[str]) -> list[Path]:
