@@ -127,12 +127,10 @@ def certificate_and_key(folder: Path) -> tuple[str, str]:
 
 def _prefetch(client: Dask) -> Callable[[], int]:
     """Return a function that gives the number of chunks to keep in flight, from the current number of workers."""
-    seen = {"at": float("-inf"), "most": 0}
 
-    def prefetch() -> int:
-        if time.monotonic() - seen["at"] > QUERY_INTERVAL:
-            threads = sum(client.nthreads().values())
-            seen.update(at=time.monotonic(), most=max(LEAST, PREFETCH * threads))
-        return int(seen["most"])
+    @functools.lru_cache(maxsize=1)
+    def prefetch(interval: int) -> int:
+        threads: int = sum(client.nthreads().values())
+        return max(LEAST, PREFETCH * threads)
 
-    return prefetch
+    return lambda: prefetch(int(time.monotonic() / QUERY_INTERVAL))
