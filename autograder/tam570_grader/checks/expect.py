@@ -5,7 +5,7 @@ repeat them. An error that leaves a share of the points does not end the check: 
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, contextmanager, nullcontext
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from typing import Any
@@ -89,8 +89,18 @@ class CheckContext:
             raise self._explained(*min(self.failures, key=lambda failure: failure[0].share))
 
     def _explained(self, failed: Failed, hint: Hint) -> Failed:
-        """Return the failure to be reported, with its hint, which may take long to compute."""
-        said, fault = _said(hint, self)
+        """Return the failure to be reported, with its hint, which may take long to compute.
+
+        If the grader fails to choose the hint, `fault` says why: this must not cost a grade.
+        """
+        said = fault = ""
+        try:
+            with suppress(Failed, NotWritten, Exhausted), self.aside():  # from calls that are not graded
+                said = hint() if callable(hint) else hint
+        except MemoryError:
+            raise
+        except Exception as error:
+            fault = repr(error)[:LONGEST_FAULT]
         source = said if isinstance(said, FollowsFrom) else ""
         failed.failure = replace(failed.failure, hint="" if source else said, follows_from=str(source), fault=fault)
         return failed
@@ -179,21 +189,6 @@ def fail(
     case = running.case
     fields |= {"label": (case.label if case and label == "" else label) or "", "at": case if at is None else at}
     running.fail(Failed(message, function=running.function, share=share, **fields), hint)
-
-
-def _said(hint: Hint, running: CheckContext) -> tuple[str, str]:
-    """Return the hint, and the grader's error in choosing it, which must not cost a grade; one of the two is empty."""
-    if not callable(hint):
-        return hint, ""
-    try:
-        with running.aside():
-            return hint(), ""
-    except MemoryError:
-        raise
-    except (Failed, NotWritten, Exhausted):  # from calls of the student's functions, which are not graded here
-        return "", ""
-    except Exception as error:
-        return "", repr(error)[:LONGEST_FAULT]
 
 
 def distance(actual: Numbers, expected: Numbers) -> Numbers:
