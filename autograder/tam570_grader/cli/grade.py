@@ -72,17 +72,14 @@ def add_grade(parser: argparse.ArgumentParser) -> None:
     add("--assignment", metavar="SLUG", help="the assignment, if no name tells it")
     add("--roster", type=Path, metavar="CSV", help="a list of all students; those without work get a row, too")
     add("--only", nargs="+", metavar="SLUG", help="grade only these assignments")
-    for name, unit, default, what in (
-        ("--jobs", "N", cores(), "supervisors, a process each"),
-        ("--processes", "N", 1, "processes of a submission"),
-    ):
-        add(name, type=positive, metavar=unit, default=default, help=f"{what} (default: %(default)s)")
-    for name, unit, default, what in (
-        ("--memory", "MIB", 1024, "memory of a submission"),
-        ("--cpu", "S", 60, "processor time of a submission"),
-        ("--call", "S", 10, "processor time of one call"),
-    ):
-        add(name, type=positive, metavar=unit, help=f"{what} (default: from course.toml, else {default})")
+    add(
+        "--jobs", type=positive, metavar="N", default=cores(), help="supervisors, a process each (default: %(default)s)"
+    )
+    add("--processes", type=positive, metavar="N", default=1, help="processes of a submission (default: %(default)s)")
+    usual = "default: from course.toml, else"
+    add("--memory", type=positive, metavar="MIB", help=f"memory of a submission ({usual} 1024)")
+    add("--cpu", type=positive, metavar="S", help=f"processor time of a submission ({usual} 60)")
+    add("--call", type=positive, metavar="S", help=f"processor time of one call ({usual} 10)")
     add_cluster(add)
 
 

@@ -29,7 +29,6 @@ class Picture:
     limit: str
     x: Sequence[tuple[float, str]]  # ticks
     y: Sequence[tuple[float, str]]
-    along: str = "time along the motion"
 
 
 @dataclass(frozen=True)
