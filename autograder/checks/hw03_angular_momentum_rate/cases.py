@@ -32,24 +32,20 @@ def moments(rng):
     return [Case(s[0], s[2], s[3], mass=mass).labelled(label(s, "random vectors")) for s, mass in motions(rng)]
 
 
-def rates(definitions, vectors=slice(None)):
-    """Return a function for the arguments of `rate` by these definitions; with fewer vectors, of another function."""
-    return lambda rng: [
+def rates(rng, definitions, vectors=slice(None)):
+    """Return the arguments of `rate` by these definitions; with fewer vectors, of another function."""
+    return [
         Case(definition, *s[vectors], mass=mass).labelled(label(s, f"definition {definition}"))
         for definition in definitions
         for s, mass in motions(rng)
     ]
 
 
-def momenta(definitions):
-    return rates(definitions, [0, 1, 3, 4])
+def momenta(rng, definitions):
+    return rates(rng, definitions, [0, 1, 3, 4])
 
 
-def letters(cases_of):
-    """Return a function for the first of these cases, and the same call with strings that name no definition."""
-
-    def cases(rng):
-        case = cases_of(rng)[0]
-        return [case, *(case.replace(name).labelled(f'the definition "{name}"') for name in ("d", *LETTERS_ALIKE))]
-
-    return cases
+def letters(rng, cases_of):
+    """Return the first of these cases by definition b, and the same call with strings that name no definition."""
+    case = cases_of(rng, "b")[0]
+    return [case, *(case.replace(name).labelled(f'the definition "{name}"') for name in ("d", *LETTERS_ALIKE))]

@@ -63,13 +63,13 @@ def moment_is_about_C(student, rng):
 def momentum_with_the_velocity_in_F(student, rng):
     """angular_momentum by definitions a and b: the lever arm from C, the velocity as F sees it."""
     hint = "From where does the lever arm run, and whose velocity is it, seen from where?"
-    compare(student.angular_momentum, cases.momenta("ab")(rng), hint=hint)
+    compare(student.angular_momentum, cases.momenta(rng, "ab"), hint=hint)
 
 
 @check("angular_momentum", points=0.75)
 def momentum_with_the_velocity_relative_to_C(student, rng):
     """angular_momentum by definition c: the velocity as one sees it who moves along with C."""
-    compare(student.angular_momentum, cases.momenta("c")(rng), hint="Whose velocity, seen from where?")
+    compare(student.angular_momentum, cases.momenta(rng, "c"), hint="Whose velocity, seen from where?")
 
 
 BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relative_to_C
@@ -78,25 +78,25 @@ BOTH_MOMENTA = momentum_with_the_velocity_in_F, momentum_with_the_velocity_relat
 @check("angular_momentum", points=0.25, after=BOTH_MOMENTA, refusals=True)
 def momentum_refuses_other_definitions(student, rng):
     """angular_momentum raises ValueError for another definition."""
-    check_letters(student.angular_momentum, cases.letters(cases.momenta("b"))(rng))
+    check_letters(student.angular_momentum, cases.letters(rng, cases.momenta))
 
 
 @check("rate", points=0.5)
 def rate_about_a_fixed_point(student, rng):
     """rate by definition a: the derivative while C' stays where it is."""
-    compare(student.rate, cases.rates("a")(rng), hint=by_difference(FIXED))
+    compare(student.rate, cases.rates(rng, "a"), hint=by_difference(FIXED))
 
 
 @check("rate", points=1)
 def rate_with_the_velocity_in_F(student, rng):
     """rate by definition b: the derivative of its angular momentum along any motion of P and C."""
-    compare(student.rate, cases.rates("b")(rng), hint=PRODUCT)
+    compare(student.rate, cases.rates(rng, "b"), hint=PRODUCT)
 
 
 @check("rate", points=0.75)
 def rate_with_the_velocity_relative_to_C(student, rng):
     """rate by definition c: the derivative of its angular momentum along any motion of P and C."""
-    compare(student.rate, cases.rates("c")(rng), hint=PRODUCT)
+    compare(student.rate, cases.rates(rng, "c"), hint=PRODUCT)
 
 
 BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
@@ -105,31 +105,31 @@ BOTH_RATES = rate_about_a_fixed_point, rate_with_the_velocity_in_F
 @check("rate", points=0.25, after=BOTH_RATES, refusals=True)
 def rate_refuses_other_definitions(student, rng):
     """rate raises ValueError for another definition."""
-    check_letters(student.rate, cases.letters(cases.rates("b"))(rng))
+    check_letters(student.rate, cases.letters(rng, cases.rates))
 
 
 @check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_in_F(student, rng):
     """discrepancy by definition b: its rate less the moment."""
-    compare(student.discrepancy, cases.rates("b")(rng), hint=left_over)
+    compare(student.discrepancy, cases.rates(rng, "b"), hint=left_over)
 
 
 @check("discrepancy", points=0.5)
 def discrepancy_with_the_velocity_relative_to_C(student, rng):
     """discrepancy by definition c: its rate less the moment."""
-    compare(student.discrepancy, cases.rates("c")(rng), hint=left_over)
+    compare(student.discrepancy, cases.rates(rng, "c"), hint=left_over)
 
 
 @check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F)
 def no_discrepancy_about_a_fixed_point(student, rng):
     """discrepancy by definition a."""
-    compare(student.discrepancy, cases.rates("a")(rng), hint=FIXED)
+    compare(student.discrepancy, cases.rates(rng, "a"), hint=FIXED)
 
 
 @check("discrepancy", points=0.25, after=discrepancy_with_the_velocity_in_F, refusals=True)
 def discrepancy_refuses_other_definitions(student, rng):
     """discrepancy raises ValueError for another definition."""
-    check_letters(student.discrepancy, cases.letters(cases.rates("b"))(rng))
+    check_letters(student.discrepancy, cases.letters(rng, cases.rates))
 
 
 def judge_motion(special_motion, definition):

@@ -85,6 +85,9 @@ def ways(*labels, count=1, **fixed):
     ]
 
 
+turning, moving_on, resting, any_way = ways(TURN, count=2), ways(*MOVING), ways(REST), ways(*WAYS)
+
+
 def odd_cars(rng):
     """Yield each odd car in a turn, with one axle locked, and moving otherwise or at rest, with the other."""
     others = itertools.cycle([label for label in WAYS if label != TURN and "reverse" not in label])
@@ -106,7 +109,7 @@ def headings(rng):
 
 def all_states(rng):
     """Return every way to move, odd cars, special headings."""
-    return [*ways(*WAYS)(rng), *odd_cars(rng), *headings(rng)]
+    return [*any_way(rng), *odd_cars(rng), *headings(rng)]
 
 
 def creeping(label, *speeds):
@@ -124,11 +127,10 @@ slow = creeping("a locked axle at 1 mm/s or less", 1e-6, 3e-5, 1e-3)
 hardly_moving = creeping("speed and yaw rate below 1e-8, which are not zero", 5e-9)  # np.allclose takes these for zero
 
 
-def timed(*draws):
-    """Return a function for the same cases with a time before the state."""
-    return lambda rng: [
-        case.with_leading(float(t)) for t, case in enumerate(itertools.chain(*(cases(rng) for cases in draws)))
-    ]
+def timed(rng, *cases_of):
+    """Return these cases with a time before the state."""
+    chained = itertools.chain(*(cases(rng) for cases in cases_of))
+    return [case.with_leading(float(t)) for t, case in enumerate(chained)]
 
 
 # Functions without a state

@@ -188,7 +188,7 @@ def axle_load_balances_the_weight(student, rng):
 @check("friction_force", points=1)
 def friction_opposes_the_sliding(student, rng):
     """against the velocity of the axle that drags, in proportion to its load."""
-    compare(student.friction_force, cases.ways(cases.TURN, count=2)(rng), hint=of_friction)
+    compare(student.friction_force, cases.turning(rng), hint=of_friction)
 
 
 @check("friction_force", points=0.5, after=friction_opposes_the_sliding)
@@ -202,28 +202,28 @@ def friction_in_any_motion_and_at_rest(student, rng):
 @check("state_derivative", points=1.25)
 def equations_of_motion(student, rng):
     """the balances of momentum; the free axle does not slip sideways."""
-    compare_rates(student.state_derivative, cases.timed(cases.ways(cases.TURN, count=2))(rng))
+    compare_rates(student.state_derivative, cases.timed(rng, cases.turning))
 
 
 @check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_in_any_motion(student, rng):
     """in reverse, on the spot, straight, slow."""
-    compare_rates(student.state_derivative, cases.timed(cases.ways(*cases.MOVING), cases.headings)(rng))
-    compare_rates(student.state_derivative, cases.timed(cases.slow)(rng), tolerance=SLOW)
-    compare_rates(student.state_derivative, cases.timed(cases.hardly_moving)(rng), columns=EACH_BY_ITSELF, **HARDLY)
+    compare_rates(student.state_derivative, cases.timed(rng, cases.moving_on, cases.headings))
+    compare_rates(student.state_derivative, cases.timed(rng, cases.slow), tolerance=SLOW)
+    compare_rates(student.state_derivative, cases.timed(rng, cases.hardly_moving), columns=EACH_BY_ITSELF, **HARDLY)
 
 
 @check("state_derivative", points=0.5, after=equations_of_motion)
 def equations_without_friction_and_at_rest(student, rng):
     """without friction, without gravity; all zero at rest."""
-    compare_rates(student.state_derivative, cases.timed(cases.ways(cases.REST), cases.odd_cars)(rng))
+    compare_rates(student.state_derivative, cases.timed(rng, cases.resting, cases.odd_cars))
 
 
 @check("kinetic_energy", points=0.5)
 def kinetic_energy_of_G_and_of_turning(student, rng):
     """of G, and of turning about it."""
     hint = "What is the velocity of G?"
-    compare(student.kinetic_energy, [*cases.ways(*cases.WAYS)(rng), *cases.odd_cars(rng)], hint=hint)
+    compare(student.kinetic_energy, [*cases.any_way(rng), *cases.odd_cars(rng)], hint=hint)
 
 
 @check("simulate", points=0.75)

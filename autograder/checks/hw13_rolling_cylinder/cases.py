@@ -1,7 +1,6 @@
 """Hidden inputs of hw13: random cylinders and ramps, and plain ones for mistakes that random ones do not show."""
 
 import math
-from functools import partial
 from itertools import product
 
 import numpy as np
@@ -42,9 +41,16 @@ def rolling(rng, count, label="any angle", **fixed):
     return [Case(angle, rate, **body).labelled(label) for angle, rate, body in motions]
 
 
-centred = partial(rolling, label="G at the centre", offset=0.0)
-flat = partial(rolling, label="level ground", slope=0.0)
-weightless = partial(rolling, label="no gravity", gravity=0.0)
+def centred(rng, count):
+    return rolling(rng, count, "G at the centre", offset=0.0)
+
+
+def flat(rng, count):
+    return rolling(rng, count, "level ground", slope=0.0)
+
+
+def weightless(rng, count):
+    return rolling(rng, count, "no gravity", gravity=0.0)
 
 
 def plain(rng):

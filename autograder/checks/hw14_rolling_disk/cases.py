@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from tam570_grader import Case, once, repeated_calls, uneven
+from tam570_grader import Case, repeated_calls, uneven
 
 from . import reference
 
@@ -59,23 +59,22 @@ def flat_and_upright(rng):
     return [*flat, upright.labelled("an upright disk that spins on a point")]
 
 
-def timed(cases):
-    """Return a function for the same cases with a time before the state."""
-    return lambda rng: [case.with_leading(0.0) for case in cases(rng)]
+def timed(rng, cases_of):
+    """Return these cases with a time before the state."""
+    return [case.with_leading(0.0) for case in cases_of(rng)]
 
 
-def by_matrix(cases):
-    """Return a function for the same cases with matrix states in place of Euler states, the last argument."""
-    return lambda rng: [
+def by_matrix(rng, cases_of, *more):
+    """Return these cases with matrix states in place of Euler states, the last argument."""
+    return [
         case.replace(*case.args[:-1], reference.matrix_state(case.args[-1], case.kwargs["radius"]))
-        for case in cases(rng)
+        for case in cases_of(rng, *more)
     ]
 
 
 # Motions
 
 
-@once
 def a_motion(rng, span, samples):
     """Return a wheel's motion that stays away from the flat; span of sqrt(a/g)."""
     disk = a_disk(rng)

@@ -158,34 +158,34 @@ TEST_IT = partial(wrong_turning, "Test it on straight rolling, then on hw11's ci
 IN_SPACE = partial(wrong_turning, "Find dR/dt from omega, then write the balances in space axes.")
 ARM = partial(wrong_turning, "Space axes need I = R diag(A, A, C) R^T; differentiate the constraint with its arm.")
 NEXT_TO_FLAT = {"tolerance": FLAT, "hint": "No tilt but 0 and pi is singular."}
-INSTANTS, FLAT_AND_UPRIGHT = cases.timed(cases.instants), cases.timed(cases.flat_and_upright)
-BY_MATRIX, FLAT_BY_MATRIX = cases.by_matrix(INSTANTS), cases.by_matrix(FLAT_AND_UPRIGHT)
 
 
 @check("euler_state_derivative", points=1.25)
 def euler_equations_hold(student, rng):
     """euler_state_derivative balances momentum and angular momentum of disk, hoop and wheel."""
-    compare(student.euler_state_derivative, INSTANTS(rng), hint=TEST_IT)
+    compare(student.euler_state_derivative, cases.timed(rng, cases.instants), hint=TEST_IT)
 
 
 @check("euler_state_derivative", points=0.25, after=euler_equations_hold)
 def euler_equations_hold_next_to_flat_and_upright(student, rng):
     """euler_state_derivative holds at a tilt of 1e-3, and for a disk spinning upright on a point."""
-    compare(student.euler_state_derivative, FLAT_AND_UPRIGHT(rng), **NEXT_TO_FLAT)
+    compare(student.euler_state_derivative, cases.timed(rng, cases.flat_and_upright), **NEXT_TO_FLAT)
 
 
 @check("matrix_state_derivative", points=0.75)
 def matrix_equations_hold(student, rng):
     """the balances hold, and omega in space axes turns R."""
-    compare(student.matrix_state_derivative, BY_MATRIX(rng), hint=IN_SPACE)
-    compare(student.matrix_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
+    compare(student.matrix_state_derivative, cases.by_matrix(rng, cases.timed, cases.instants), hint=IN_SPACE)
+    compare(student.matrix_state_derivative, cases.by_matrix(rng, cases.timed, cases.flat_and_upright), **NEXT_TO_FLAT)
 
 
 @check("multiplier_state_derivative", points=0.75)
 def multiplier_equations_hold(student, rng):
     """the balances hold, with multipliers for the contact."""
-    compare(student.multiplier_state_derivative, BY_MATRIX(rng), hint=ARM)
-    compare(student.multiplier_state_derivative, FLAT_BY_MATRIX(rng), **NEXT_TO_FLAT)
+    compare(student.multiplier_state_derivative, cases.by_matrix(rng, cases.timed, cases.instants), hint=ARM)
+    compare(
+        student.multiplier_state_derivative, cases.by_matrix(rng, cases.timed, cases.flat_and_upright), **NEXT_TO_FLAT
+    )
 
 
 # (b) Simulation, (c) both ways
@@ -209,7 +209,7 @@ def euler_simulation_keeps_energy_and_two_integrals(student, rng):
 @check("simulate_matrix", points=0.5, part="b")
 def matrix_simulation_follows_the_motion(student, rng):
     """simulate_matrix follows the motion from any start, row i at t[i], row 0 the given state."""
-    compare_motions(student.simulate_matrix, cases.by_matrix(cases.simulated)(rng))
+    compare_motions(student.simulate_matrix, cases.by_matrix(rng, cases.simulated))
 
 
 BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
@@ -218,7 +218,7 @@ BOTH = euler_simulation_follows_the_motion, matrix_simulation_follows_the_motion
 @check("simulate_matrix", points=0.5, part="c", after=BOTH)
 def both_simulations_agree(student, rng):
     """simulate_matrix agrees with it over a long time; the disk stays on the ground, R a rotation."""
-    motions = compare_motions(student.simulate_matrix, cases.by_matrix(cases.long_motion)(rng), tolerance=AGREED)
+    motions = compare_motions(student.simulate_matrix, cases.by_matrix(rng, cases.long_motion), tolerance=AGREED)
     compare_invariants(student.simulate_matrix, motions, ROTATES, HEIGHT)
 
 

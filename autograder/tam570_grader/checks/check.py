@@ -22,7 +22,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from tam570.values import Function, Numbers
+from tam570.values import Numbers
 
 T = TypeVar("T")
 MOST_KNOWN = 64  # cached values for each function of `once`; if inputs differ by student, a run makes thousands
@@ -148,24 +148,7 @@ def _is_hashable(key: object) -> bool:
 
 
 def draw_once(module: ModuleType) -> None:
-    """Wrap a module's functions of `rng`, and the functions of `rng` that its other functions return, in `once`."""
-    for name, value in list(vars(module).items()):
-        is_its_own = inspect.isfunction(value) and value.__module__ == module.__name__
-        if is_its_own or isinstance(value, functools.partial):
-            setattr(module, name, once(value) if _takes_rng(value) else _drawing_once(value))
-
-
-def _takes_rng(value: object) -> bool:
-    return inspect.isfunction(value) and inspect.getfullargspec(value).args[:1] == ["rng"]
-
-
-def _drawing_once(make: Function) -> Function:
-    """Return `make` with its results wrapped in `once` if they are functions of `rng`."""
-    drawing = LruCache[Function](MOST_KNOWN)
-
-    @functools.wraps(make)
-    def remembered(*args: Numbers, **kwargs: Numbers) -> Numbers:
-        result, key = make(*args, **kwargs), (args, *kwargs.items())
-        return drawing.value(key, lambda: once(result)) if _takes_rng(result) and _is_hashable(key) else result
-
-    return remembered
+    """Wrap a module's functions of `rng` in `once`."""
+    for name, value in inspect.getmembers(module, inspect.isfunction):
+        if value.__module__ == module.__name__ and [*inspect.signature(value).parameters][:1] == ["rng"]:
+            setattr(module, name, once(value))
