@@ -37,6 +37,11 @@ def say(text: str, *, error: bool = False) -> None:
     print("\n".join(map(printable, text.split("\n"))), file=sys.stderr if error else sys.stdout, flush=True)
 
 
+def with_remedy(error: OSError) -> str:
+    """Return the text of an error, and its remedy if there is one."""
+    return "; ".join(filter(None, [str(error), REMEDIES.get(error.errno or 0)]))
+
+
 def counted(n: int, word: str) -> str:
     """Return a number with its noun, in the plural except for 1: 1 file, 2 files."""
     return f"{n} {word}" if n == 1 else f"{n} {word}s"

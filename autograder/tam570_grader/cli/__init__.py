@@ -13,7 +13,7 @@ from typing import Any, NoReturn
 
 from tam570 import __version__
 from tam570.signals import end_as_by_ctrl_c
-from tam570_grader.errors import UsageError, say, warn
+from tam570_grader.errors import UsageError, say, warn, with_remedy
 from tam570_grader.sandbox.launch import close_early, launch_early
 
 INTERRUPTED = 130
@@ -58,7 +58,7 @@ def main(argv: list[str] | None = None) -> int:
         warn(str(error), "error: ")
         return 2
     except OSError as error:
-        warn(str(error), "error: ")
+        warn(with_remedy(error), "error: ")
         return 1
     finally:
         close_early()

@@ -13,7 +13,7 @@ from tam570.values import Json
 from tam570_grader.checks import assignments
 from tam570_grader.cli.options import add_cluster, natural, positive
 from tam570_grader.course import course_config
-from tam570_grader.errors import UsageError, counted, progress, say, warn
+from tam570_grader.errors import UsageError, counted, progress, say, warn, with_remedy
 from tam570_grader.grading import regrade, roster, seeds
 from tam570_grader.grading.batch import RunConfig, records
 from tam570_grader.grading.executor import TaskExecutor, cores, executor
@@ -115,7 +115,7 @@ def _grade(arguments: argparse.Namespace) -> int:
     except KeyboardInterrupt:
         raise KeyboardInterrupt(_what_is_kept(arguments.out, summary)) from None
     except OSError as error:
-        warn(f"{error}; {_what_is_kept(arguments.out, summary)}", "error: ")
+        warn(f"{with_remedy(error)}; {_what_is_kept(arguments.out, summary)}", "error: ")
         return 1
     return _print_results(arguments, course, config, summary)
 

@@ -135,6 +135,8 @@ def _write_template(folder: Path, path: Path, results: Results, rubrics: Mapping
     """Write a table with a row for each student and part, with points so far and claims; return the exit code."""
     if path.exists():
         raise UsageError(f"{path} is there already, and may hold points that you typed; name a new file")
+    if not any(rubrics.values()):
+        raise UsageError(f"no assignment in {folder} has a part that is graded by hand")
     adjustments = manual_points.read(folder)
     rows: list[tuple[object, ...]] = [(*COLUMNS, "claims")]  # claims are for the reader only
     for student, slug in results:

@@ -3,7 +3,7 @@
 import shutil
 
 import pytest
-from classes import hand_in, rows
+from classes import HW08, hand_in, rows
 
 from tam570_grader import cli
 from tam570_grader.cli import points as command
@@ -119,6 +119,12 @@ def test_the_template_has_a_row_for_each_part_with_what_is_known(results, capsys
     assert filled == [("ann", "c", "1.5", "2"), ("ben", "c", "", "2")]
     assert cli.main(fill) == 0 and scores(results)["ann"] == ("1.5", "12.0")  # unchanged, it changes no score
     assert cli.main([*fill, "--template"]) == 2  # an existing table is not overwritten
+
+
+def test_a_template_without_parts_is_no_table(desk):
+    desk.write_results({("ann", HW08): 10.0})
+    code, printed = desk("points", "results", "fill.csv", "--template")
+    assert code == 2 and "graded by hand" in printed and not (desk.folder / "fill.csv").exists()
 
 
 def test_late_days_that_cost_nothing_are_warned_of(results, capsys):

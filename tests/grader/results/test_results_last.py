@@ -99,10 +99,12 @@ def test_a_full_disk_keeps_what_was_finished(tree, tmp_path):
         process = command("grade", tree, "--out", disk, "--seed", 1)
         _, err = process.communicate()
         assert process.returncode == 1
-        assert "No space left" in err and "Traceback" not in err
+        assert "make room on the disk" in err and "Traceback" not in err
         lines = (disk / "results.jsonl").read_text().split("\n")[:-1]
         assert lines and all(json.loads(line)["student"] for line in lines)
         assert f"{len(lines)} results kept in {disk}" in err
+        process = command("watch", tree, "--out", disk / "watch", "--once")
+        assert "make room on the disk" in process.communicate()[1] and process.returncode == 1
     finally:
         subprocess.run(["umount", disk], check=True)
 
