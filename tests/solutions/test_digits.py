@@ -71,6 +71,17 @@ def bars():
                 yield result, mp.sqrt(square), 0
 
 
+def book():
+    """Yield the errors of axis and angle, at most 1e-14, for turns next to 0 and to pi."""
+    hw, n = solution("hw09_book"), mp.matrix([2, -1, 2]) / 3
+    skew = mp.matrix([[0, -n[2], n[1]], [n[2], 0, -n[0]], [-n[1], n[0], 0]])
+    for angle in (mp.mpf(1e-9), mp.mpf(1), mp.pi - mp.mpf(1e-9)):
+        R = mp.eye(3) + mp.sin(angle) * skew + (1 - mp.cos(angle)) * skew * skew
+        axis, result = hw.axis_angle(np.array(R.tolist(), float))
+        yield from ((mp.mpf(x) - y, 0, 0.1) for x, y in zip(axis, n, strict=True))
+        yield mp.mpf(result) - angle, 0, 0.1
+
+
 def body():
     """Yield the period of a tumble for random inertias, and near the separatrix."""
     hw, rng = solution("hw10_free_rigid_body"), np.random.default_rng(10)
@@ -103,7 +114,7 @@ def cylinder():
         yield result, 2 * (r**2 + e**2 - 2 * r * e * mp.cos(phi)), 0
 
 
-@pytest.mark.parametrize("results", [pendulum, spring, circle, bars, body, bead, cylinder])
+@pytest.mark.parametrize("results", [pendulum, spring, circle, bars, book, body, bead, cylinder])
 def test_closed_forms_keep_their_digits(results):
     with mp.workdps(50):
         for result, expected, size in results():
