@@ -17,7 +17,8 @@ from tam570.releases import differing, released
 # the same sentence in commands and notebooks
 HOW = "Hand in the archive that `tam570 handin {name}` makes: it packs your code, notebook, plots and written parts."
 
-WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")  # drawings, plots, text
+# drawings, plots, text
+WRITTEN = (".pdf", ".png", ".jpg", ".jpeg", ".heic", ".webp", ".svg", ".gif", ".md", ".txt", ".docx", ".tex")
 PLACEHOLDER = "*Your answer*"  # text of a notebook cell that asks for words
 ACCURACY = re.compile(r"^Motions are compared .*?(?:\n\n|\Z)", re.MULTILINE | re.DOTALL)  # a paragraph of a README
 

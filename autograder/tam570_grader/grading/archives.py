@@ -2,6 +2,7 @@
 
 import io
 import os
+import re
 import stat
 import zipfile
 from collections.abc import Iterator, Sequence
@@ -21,7 +22,8 @@ METADATA, LARGEST_METADATA = "submission_metadata.yml", 200 * 2**20  # Gradescop
 LONGEST_PATH = 1000  # characters
 ENTRY = 46  # bytes, least size of a file's entry in a zip file's directory
 METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)  # decompressors of other methods have no size limit
-JUNK = ("__MACOSX", ".DS_Store", "index.html")  # files that operating systems and Brightspace add
+# files and folders that operating systems, editors and Brightspace add: .DS_Store, .ipynb_checkpoints, .venv, ._hw08.py
+JUNK = re.compile(r"__MACOSX|__pycache__|index\.html|\._.*|\.[A-Za-z]\w{0,17}", re.DOTALL)
 
 
 @dataclass(frozen=True)
@@ -56,12 +58,12 @@ class Quota:
 def members(source: Path) -> Iterator[File]:
     """Yield all files of a zip file or a folder, including refused ones."""
     if source.is_dir():
-        # without links, devices and Git's own files
+        # without links and devices
         paths = [
             Path(folder) / name
             for folder, _, names in os.walk(source)
             for name in names
-            if name not in JUNK and "/.git/" not in f"{folder}/"
+            if not _is_junk(os.path.join(os.path.relpath(folder, source), name))
         ]
         for path in sorted(path for path in paths if stat.S_ISREG(path.lstat().st_mode)):
             name = path.relative_to(source).as_posix()
@@ -89,6 +91,8 @@ def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File
         ):
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
+            for info in archive.infolist():  # some programs on Windows separate names by backslashes
+                info.filename = info.filename.replace("\\", "/")
             infos = [
                 file
                 for file in _files(archive, MOST_INSIDE, "it")
@@ -118,10 +122,14 @@ def shortened(text: str) -> str:
 
 
 def _files(archive: zipfile.ZipFile, most: int, name: str) -> list[zipfile.ZipInfo]:
-    infos = [info for info in archive.infolist() if not info.is_dir() and not set(info.filename.split("/")) & {*JUNK}]
+    infos = [info for info in archive.infolist() if not info.is_dir() and not _is_junk(info.filename)]
     if len(infos) > most:
         raise UsageError(f"{name} holds more than {most} files: is it the right one?")
     return infos
+
+
+def _is_junk(path: str) -> bool:
+    return any(map(JUNK.fullmatch, path.split("/")))
 
 
 def _member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> File:

@@ -10,10 +10,10 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.grading.roster import Directory, Person
-from tam570_grader.grading.submissions import GIVEN, folder_of, is_begun, of_folder, of_name
+from tam570_grader.grading.submissions import GIVEN, copy_order, folder_of, is_begun, of_folder, of_name
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
-from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, TABLE, form, is_zip, listed
+from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, SAME, TABLE, form, is_zip, listed
 from tam570_grader.results.tables import table, write_table, written
 
 NOT_WORK = "neither a module (.py) nor a notebook (.ipynb): ask the student for one"
@@ -217,15 +217,17 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
             return row
         if _rank(row)[0] < _rank(winner)[0]:
             return _left(row, RELEASED)
-        return _left(row, OLDER if row.handed.order < winner.handed.order else OTHER)
+        is_same = row.handed.file.data == winner.handed.file.data
+        return _left(row, OLDER if row.handed.order < winner.handed.order else SAME if is_same else OTHER)
 
     return sorted(map(placed, rows), key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _rank(row: Taken) -> tuple[bool, bool, tuple[object, ...], bool]:
+def _rank(row: Taken) -> tuple[bool, bool, tuple[object, ...]]:
     """Return a key, largest for the best file: begun, named after its assignment, newest, with the exact name."""
     title = row.handed.title
-    return is_begun(row.handed.file.data), of_name(title, [row.slug]) is not None, row.handed.order, title == row.target
+    newest = row.handed.order, title == row.target, copy_order(title, row.slug), -row.handed.file.path.count("/")
+    return is_begun(row.handed.file.data), of_name(title, [row.slug]) is not None, newest
 
 
 def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:

@@ -1,5 +1,6 @@
 """Read `collected.csv`, the table that `collect` writes."""
 
+import re
 from collections.abc import Collection
 from pathlib import Path
 
@@ -7,7 +8,8 @@ from tam570_grader.results.tables import by_column, name_in
 
 COLUMNS = ("student", "name", "assignment", "file", "when", "late", "from", "note")
 TABLE = "collected.csv"
-MINOR = OLDER, RELEASED = "older", "came with the assignment"  # reasons for skipping a file that need no attention
+# reasons for skipping a file that need no attention
+MINOR = OLDER, SAME, RELEASED = "older", "same as the file that counts", "came with the assignment"
 
 
 def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]]:
@@ -17,14 +19,13 @@ def listed(path: Path, needed: Collection[str] = COLUMNS) -> list[dict[str, str]
     return [{name: name_in(cell) for name, cell in row.items()} for _, row in rows]
 
 
-WORK = (".py", ".ipynb")
+# the ending of a name, before what browsers append to it, and dots and spaces that Windows ignores
+WORK = re.compile(r".*(\.py|\.ipynb)(?:\.txt|\.json)?[. ]*", re.IGNORECASE | re.DOTALL)
 
 
 def form(name: str) -> str:
-    """Return the ending in WORK that a name has, ignoring case and a .txt that browsers append to .py; else ""."""
-    plain = name.lower()
-    plain = plain.removesuffix(".txt") if plain.endswith(".py.txt") else plain
-    return next((ending for ending in WORK if plain.endswith(ending)), "")
+    """Return the ending .py or .ipynb that a name has, in lower case; "" if it has none."""
+    return match[1].lower() if (match := WORK.fullmatch(name)) else ""
 
 
 def is_zip(name: str) -> bool:

@@ -44,17 +44,34 @@ LINK.create_system, LINK.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
 
 
 def test_the_newest_counts_and_packed_ones_are_unpacked(download, desk):
+    junk = dict.fromkeys(("__MACOSX/._hw08.py", "mine/._hw08.py", "mine\\.ipynb_checkpoints\\hw08.py"), "no")
     files = {
         "adamsann_17_500_hw08_axis_angle.py": "old",
         "adamsann_17_600_hw08_axis_angle-2.py": "new",
         "brownbo_LATE_18_550_axis_angle.py": "late",
-        "chency_19_560_hw08.zip": packed({"in.zip": packed({"mine/hw08.py": "packed"}), "__MACOSX/._hw08.py": "no"}),
+        "chency_19_560_hw08.zip": packed({"in.zip": packed({"mine\\hw08.py": "packed", **junk})}),
     }
     code, said = download("canvas", files, ROSTER)
     assert code == 0 and desk.collected == {"aadams": "new", "bbrown": "late", "cchen": "packed"}
     reported = {(row[0], row[5], row[7]) for row in desk.read("collected.csv")[1:]}
     assert reported == {("aadams", "", "older"), ("aadams", "", ""), ("bbrown", "LATE", ""), ("cchen", "", "")}
     assert "3 students, 1 late" in said
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "note"),
+    [
+        ("hw08.py", "hw08 (1).py", "another file counts"),
+        ("hw08_old.py", "hw08.py", "another file counts"),
+        ("hw08.py", "hw08.ipynb.json", ""),
+        ("hw08.py", "hw08.py.", "same as the file that counts"),
+    ],
+)
+def test_of_files_that_came_together_the_last_copy_counts(download, desk, old, new, note):
+    folder, texts = "Ann Adams_17_assignsubmission_file", ("new" if note.startswith("same") else "old", "new")
+    code, _ = download("moodle", {f"{folder}/{name}": text for name, text in zip((old, new), texts, strict=True)})
+    rows = {row["from"].rpartition("/")[2]: row for row in desk.rows("collected.csv")}
+    assert code == note.startswith("another") and rows[old]["note"].startswith(note) and rows[new]["file"]
 
 
 def test_a_stub_beside_the_zip_file_of_the_work_does_not_count(download, desk):
