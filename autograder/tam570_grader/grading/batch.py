@@ -137,7 +137,8 @@ def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submissio
     source, seed = source_of(submission), config.seed_of(submission)
     text = source.text if isinstance(source, Source) else str(source).encode()
     form = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
-    words = form, submission.student, submission.slug, str(seed)
+    note = source.note if isinstance(source, Source) else ""
+    words = form, submission.student, submission.slug, str(seed), note
     parts = *map(str.encode, words), text, code(submission.slug)  # hashed with their lengths, to keep them distinct
     digest = hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)

@@ -131,6 +131,7 @@ def graded(
         status, message = ended.status, str(ended)
     finally:
         student.leave()
+    message = " ".join(filter(None, (source.note, message)))
     rest = tuple(run.results.get(check.name) or _not_run(check, message) for check in assignment.checks)
     seconds = time.perf_counter() - started
     return replace(_result(name, assignment, status, message, seed, rest), seconds=round(seconds, 3), speed=speed)

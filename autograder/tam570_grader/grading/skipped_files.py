@@ -34,15 +34,10 @@ def skipped_files(
             elif entry not in trees and entry not in graded and (is_students or not _names_another(entry, slugs)):
                 yield f"{_shown(entry)}{_holding(entry)} is not graded: no name in it tells the assignment; {REMEDY}"
         yield from _not_collected(folder, {submission.key for submission in work})
-    for submission in work:  # other files named after the assignment, with the same ending as the graded file
-        path, student = submission.path, submission.student
-        if path is None or not form(path.name) or not submission.tree.is_dir():
-            continue
-        for entry, is_folder in entries(path.parent):
-            is_rival = not is_folder and form(entry.name) == form(path.name) and slug_of(entry.stem, [submission.slug])
-            if entry != path and is_rival:
-                file, counts = printable(entry.name), printable(path.name)
-                yield f"{file} of {student} is not graded: {counts} is; remove the one that should not count"
+    for submission in work:
+        counts = submission.path and printable(submission.path.name)
+        for other in submission.others:
+            yield f"{other} of {submission.student} is not graded: {counts} is; remove the one that should not count"
 
 
 def _collected(folder: Path) -> list[dict[str, str]]:

@@ -28,12 +28,14 @@ NO_NAME = '/\\<>:"|?*'  # characters that some operating system forbids in names
 HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # prefixes that hide a folder, or make its name look like an option
 MOST_FILES = 1000  # in the folder of a student or of an assignment
 DEFINED = re.compile(rb'(?:^|"|\\n)def ', re.MULTILINE)  # a function in a module or notebook
-UNWRITTEN = re.compile(rb'["\':][\s\\n",]*raise NotImplementedError')  # after a signature or docstring
+UNWRITTEN = re.compile(rb'["\':][\s\\rn",]*raise NotImplementedError')  # after a signature or docstring
+COPY = re.compile(r"(.*?)[ _-]*\(?(\d{0,9})\)?", re.DOTALL)  # what a name adds to that of the assignment: words, number
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
 HANDIN = "_handin"  # the end of the name of an archive of `tam570 handin`
 FEEDBACK = "-feedback.html"  # the end of the name of a page that `watch` puts beside the work
 DEEPEST = 4  # levels of nested folders that are searched for a student's work
 MOST_NAMES = 10  # names of files listed in a message
+COUNTS = "The grader read {counts} and not {others}. Tell your teacher if it should read another file."
 
 
 class BadPath(UsageError):
@@ -46,13 +48,17 @@ class CannotRead(Exception):
 
 @dataclass(frozen=True)
 class Submission:
-    """One student's work on one assignment; `reason` says why there is none, or why it cannot be read."""
+    """One student's work on one assignment; `reason` says why there is none, or why it cannot be read.
+
+    others : names of the student's other files that could be the work, with other content
+    """
 
     student: str
     slug: str
     path: Path | None
     tree: Path  # the student's own folder or file; links must not lead out of it
     reason: str = ""
+    others: tuple[str, ...] = ()
 
     @property
     def key(self) -> tuple[str, str]:
@@ -106,7 +112,8 @@ def read(submission: Submission) -> Source:
         raise CannotRead(submission.reason)
     name = printable(submission.path.name)
     if is_zip(submission.path.name):
-        return _packed_source(submission.slug, name, packed_files(submission))
+        source = _packed_source(submission.slug, name, packed_files(submission))
+        return replace(source, note=f"{_note(name, submission.others)} {source.note}".strip())
     if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     notebook = form(submission.path.name) == ".ipynb"
@@ -114,7 +121,7 @@ def read(submission: Submission) -> Source:
     text = without_outputs(text) if len(text) > LARGEST else text
     if len(text) > LARGEST:
         raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB without its outputs: is it the right file?")
-    return Source(text, notebook=notebook)
+    return Source(text, notebook, _note(name, submission.others))
 
 
 def packed_files(submission: Submission) -> "list[File]":
@@ -131,21 +138,19 @@ def _unpacked(name: str, data: bytes) -> "list[File]":
 
 
 def _packed_source(slug: str, name: str, files: "Iterable[File]") -> Source:
-    """Return the text of the file that fits best in a zip file; of files with the same name, the shallowest."""
-    shown = [file for file in files if file.refused or "/." not in file.path]  # without .ipynb_checkpoints
-    deepest_first = sorted(shown, key=lambda file: file.path.count("/"), reverse=True)
-    held = {Path(Path(file.path).name): file for file in deepest_first}
+    """Return the text of the file that fits best in a zip file."""
+    held = {Path(file.path): file for file in files}
 
     def text_of(entry: Path) -> bytes:
         if held[entry].refused:
             raise CannotRead(f"{held[entry].path}: {held[entry].refused}")
         return held[entry].data
 
-    chosen = _best(held, slug, text_of)
-    text = text_of(chosen[0]) if len(chosen) == 1 else b""
-    if len(chosen) != 1 or is_zip(chosen[0].name):
+    best = _best(held, slug, text_of)
+    text = text_of(best[0]) if best else b""
+    if not best or is_zip(best[0].name):
         raise CannotRead(f"there is no {slug}.py in {name}; it holds {_listed(held) or 'no module or notebook'}")
-    return Source(text, notebook=form(chosen[0].name) == ".ipynb")
+    return Source(text, form(best[0].name) == ".ipynb", _note(str(best[0]), map(str, best[1:])))
 
 
 def _bytes(path: Path, tree: Path, most: int) -> bytes:
@@ -230,10 +235,8 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
             except BadPath as unreadable:
                 closed[entry] = str(unreadable)
     for slug, each in own_folders.items():
-        if len(each) == 1:
-            work.append(of_folder(each[0], folder.name, slug, each[0]))
-        else:
-            work.append(_of_files([(entry, True) for entry in each], folder.name, slug, folder))
+        newest_first = sorted(each, key=lambda entry: copy_order(entry.name, slug), reverse=True)
+        work.append(_best_of([of_folder(entry, folder.name, slug, entry) for entry in newest_first]))
     if closed and not work:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({submission.slug for submission in work})  # assignments that other students handed in
@@ -286,10 +289,20 @@ def _of_student(home: Path, slugs: Sequence[str], chosen: str | None) -> Iterato
         yield of_folder(home, home.name, chosen, home)
     for slug, own_work in work.items():
         folders = [entry for entry, is_folder in own_work if is_folder]
+        folders.sort(key=lambda entry: copy_order(entry.name, slug), reverse=True)
         candidates = [_of_files(own_work, home.name, slug, home)]
-        candidates += [of_folder(folders[0], home.name, slug, home)] if len(folders) == 1 else []
-        there = [candidate for candidate in candidates if candidate.path]
-        yield min(there, key=_rank) if there[1:] else (there or candidates)[-1]
+        yield _best_of([*candidates, *(of_folder(folder, home.name, slug, home) for folder in folders)])
+
+
+def _best_of(candidates: Sequence[Submission]) -> Submission:
+    """Return the best of a student's submissions of an assignment, the first of those that are equally good."""
+    there = [candidate for candidate in candidates if candidate.path]
+    if not there[1:]:
+        return (there or candidates)[-1]
+    best = min(there, key=_rank)
+    texts: dict[Path | None, bytes] = {each.path: getattr(source_of(each), "text", b"") for each in there}
+    paths = [path for path, text in texts.items() if path and is_begun(text) and text != texts[best.path]]
+    return replace(best, others=(*best.others, *(printable(f"{path.parent.name}/{path.name}") for path in paths)))
 
 
 def entries(folder: Path, most: int | None = None) -> list[tuple[Path, bool]]:
@@ -363,32 +376,60 @@ def of_folder(folder: Path, student: str, slug: str, tree: Path) -> Submission:
 def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: Path) -> Submission:
     """Return the submission among these entries: the only file that fits best; without it, `reason` lists them."""
     files = [entry for entry, is_folder in held if not is_folder]
-    chosen = _best(files, slug, lambda entry: read(Submission("", slug, entry, tree)).text)
-    if len(chosen) == 1:
-        return Submission(_name(student), slug, chosen[0], tree)
+    if best := _best(files, slug, lambda entry: read(Submission("", slug, entry, tree)).text):
+        others = tuple(printable(entry.name) for entry in best[1:])
+        return Submission(_name(student), slug, best[0], tree, others=others)
     message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
     return Submission(_name(student), slug, None, tree, message)
 
 
 def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -> list[Path]:
-    """Return the files that fit an assignment best; a zip file fits only without begun work beside it."""
-    files = [entry for entry in held if form(entry.name)]
-    candidates = [entry for entry in files if entry.name != f"{slug}.py" and slug_of(entry.stem, [slug])]
-    if len(candidates) == 1 or f"{slug}.ipynb" in {entry.name for entry in candidates}:
-        files = [entry for entry in files if entry.name != f"{slug}.py" or not _untouched(entry, candidates, text_of)]
+    """Return the file that fits an assignment best, and then others that fit, are begun and have other contents.
+
+    Any file that is begun counts before others. Of files that fit equally, the newest counts: see `copy_order`.
+    """
+
+    @functools.cache
+    def content(entry: Path) -> bytes:
+        """Return the text of a file, or why it cannot be read."""
+        try:
+            return text_of(entry)
+        except CannotRead as why:
+            return str(why).encode()
+
+    def rank(entry: Path) -> tuple[object, ...]:
+        count = _begun(content(entry))
+        return count > 0, *copy_order(entry.name, slug), -len(entry.parts), count, entry.name
+
+    def in_order(equal: Iterable[Path]) -> list[Path]:
+        newest = sorted(equal, key=lambda entry: copy_order(entry.name, slug), reverse=True)[:MOST_NAMES]
+        return sorted(newest, key=rank, reverse=True) if newest[1:] else newest
+
+    named = dict.fromkeys(entry for entry in held if form(entry.name) and slug_of(entry.stem, [slug]))
+    packed = [entry for entry in held if is_zip(entry.name)]
+    packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: entry.name == f"{slug}.py",
         lambda entry: entry.name == f"{slug}.ipynb",
-        lambda entry: form(entry.name) == ".py" and bool(slug_of(entry.stem, [slug])),
-        lambda entry: form(entry.name) == ".ipynb" and bool(slug_of(entry.stem, [slug])),
-        lambda entry: form(entry.name) == ".ipynb",
-        lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
+        lambda entry: entry in named and form(entry.name) == ".py",
+        lambda entry: entry in named,
+        lambda entry: not named and form(entry.name) == ".ipynb",
+        lambda entry: not named and form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
+        lambda entry: entry in packed,
     )
-    chosen = next(filter(None, ([*filter(is_chosen, files)] for is_chosen in fits)), [])
-    packed = [entry for entry in held if is_zip(entry.name)]
-    packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
-    is_in_zip = len(chosen) == 1 and _untouched(chosen[0], packed, text_of)
-    return packed if is_in_zip else chosen or packed
+    groups = [equal for is_chosen in fits if (equal := in_order(filter(is_chosen, held)))]
+    best = next((equal for equal in groups if is_begun(content(equal[0]))), groups[0] if groups else [])
+    others = [*best[1:], *(entry for entry in named if best and form(entry.name) == form(best[0].name))]
+    others = [entry for entry in dict.fromkeys(others[:MOST_NAMES]) if entry != best[0]]
+    return best[:1] + [entry for entry in others if is_begun(content(entry)) and content(entry) != content(best[0])]
+
+
+def copy_order(name: str, slug: str) -> tuple[bool, int]:
+    """Return a key, larger for a newer file: hw08 (1).py is newer than hw08.py, and hw08_old.py is the oldest."""
+    named = rf"(?:hw|homework)[ _-]*\d{{1,2}}(?:[ _-]*{slug[5:]})?|{slug[5:]}"
+    match = COPY.fullmatch(re.sub(named, "", name.split(".")[0], count=1, flags=re.IGNORECASE))
+    assert match is not None  # it matches every text
+    return match[1].strip(" _-") in ("", HANDIN[1:]), int(match[2] or 0)
 
 
 def _listed(files: Iterable[Path]) -> str:
@@ -398,17 +439,19 @@ def _listed(files: Iterable[Path]) -> str:
     return ", ".join(seen)
 
 
-def _untouched(file: Path, others: Iterable[Path], text_of: Callable[[Path], bytes]) -> bool:
-    """Return whether no function of a file is begun, and one of these other files is."""
-    try:
-        return not is_begun(text_of(file)) and any(is_begun(text_of(entry)) for entry in others)
-    except CannotRead:
-        return False
-
-
 def is_begun(text: bytes) -> bool:
     """Return whether a module or notebook has a function that is not as in the stub."""
-    return len(UNWRITTEN.findall(text)) < len(DEFINED.findall(text))
+    return _begun(text) > 0
+
+
+def _begun(text: bytes) -> int:
+    """Return the number of functions that are not as in the stub."""
+    return len(DEFINED.findall(text)) - len(UNWRITTEN.findall(text))
+
+
+def _note(counts: str, others: Iterable[str]) -> str:
+    """Return a sentence for the student on the file that counts, if there are others."""
+    return COUNTS.format(counts=counts, others=", ".join(names)) if (names := [*others]) else ""
 
 
 def _rank(submission: Submission) -> tuple[bool, bool]:

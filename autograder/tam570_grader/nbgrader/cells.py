@@ -19,7 +19,7 @@ Notebook = Any  # nbformat has no types
 PICTURES = ("image/png", "image/jpeg")
 CELL_ID = re.compile(r"[A-Za-z0-9_-]{1,64}")  # nbformat's rule
 BASE64 = re.compile(r"[A-Za-z0-9+/=\s]*")
-NO_MODULE = "There is no {slug}.py in the folder; the functions were looked for in {name}."
+NO_MODULE = "No {slug}.py with functions is in the folder; the grader looked for them in {name}."
 
 
 def rebuilt(cells: Iterable[Json]) -> Notebook:
