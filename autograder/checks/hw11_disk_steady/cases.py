@@ -171,10 +171,10 @@ def sliding_tracks(rng):
 def settled(rng):
     """Return cases with a lean alone."""
     cases = [Case(a_lean(rng), **disk).labelled(label) for label, disk in disks(rng, *WHEELS, COIN)]
-    first = cases[0]
+    wheel = cases[2]  # no thin disk
     cases += [Case(sign * math.pi / 4, **UNIT).labelled("whole numbers") for sign in (1, -1)]
-    repeated = first.replace(gravity=2 * first.kwargs["gravity"]).labelled(AGAIN, KEPT)
-    return [*cases, repeated, first.replace(-first.args[0], gravity=LITTLE_GRAVITY).labelled(LITTLE)]
+    repeated = wheel.replace(gravity=2 * wheel.kwargs["gravity"]).labelled(AGAIN, KEPT)
+    return [*cases, repeated, wheel.replace(-wheel.args[0], gravity=LITTLE_GRAVITY).labelled(LITTLE)]
 
 
 def next_to_upright(rng):
