@@ -79,8 +79,7 @@ class Mistake:
 Body = TypeVar("Body", bound=Function)
 
 
-def mistake(  # noqa: PLR0913  the fields of a `Mistake`
-    message: str = "",
+def mistake(
     *,
     first_fails: Check,
     name: str = "",
@@ -91,9 +90,10 @@ def mistake(  # noqa: PLR0913  the fields of a `Mistake`
 ) -> Callable[[Body], Body]:
     """Declare a known mistake in a function of the solution; `mistakes` reads the declaration from the file.
 
+    The docstring of the function is what a student reads: "You ...; ...".
+
     Parameters
     ----------
-    message : what a student reads: "You ...; ..."; default: the docstring of the function
     first_fails : the first check that fails
     name, tolerance, label, compared, numerics : see `Mistake`
     """
@@ -133,13 +133,12 @@ def _decorated(text: str) -> Iterator[Mistake]:
         if decorator := _decorator(node):
             assert isinstance(node, ast.FunctionDef)
             count[function := node.name] += 1
-            docstring, body = ast.get_docstring(node), node.body[1:] if ast.get_docstring(node) else node.body
-            changed = {"name": "_mistaken", "decorator_list": [], "body": body}
+            changed = {"name": "_mistaken", "decorator_list": [], "body": node.body[1:]}
             wrong = ast.unparse(ast.FunctionDef(**{**vars(node), **changed}))
             fields: Json = {str(field.arg): _value(field.value) for field in decorator.keywords}
             fields["name"] = fields.get("name") or function + (f"_{count[function]}" if count[function] > 1 else "")
             overlay = OVERLAY.format(besides=besides, function=function, wrong=wrong)
-            message = ast.literal_eval(decorator.args[0]) if decorator.args else " ".join((docstring or "").split())
+            message = " ".join((ast.get_docstring(node) or "").split())
             yield Mistake(message=message, text=overlay, **fields)
 
 
