@@ -1,6 +1,7 @@
 """Write scores as the table that a learning management system imports, from the table that it exported."""
 
 from collections.abc import Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -59,11 +60,8 @@ def run(grades: Path, out: Path | None, options: ExportOptions, only: Sequence[s
     scores = read_scores(grades, absent)
     chosen = match_slugs(only, sorted({slug for _, slug in scores}))
     result = export({key: score for key, score in scores.items() if key[1] in chosen}, options)
-    if out:
-        with writing(out):
-            write_table(out, result.rows, exact=True)
-    else:
-        write_table(None, result.rows, exact=True)
+    with writing(out) if out else nullcontext():
+        write_table(out, result.rows, exact=True)
     for line in [*result.unchanged, *result.troubles]:
         warn(line)
     return 1 if result.troubles else 0

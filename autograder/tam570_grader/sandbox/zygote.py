@@ -206,10 +206,6 @@ class Zygote:
         self._let_go()
         self._launched.close()
 
-    def kill(self) -> None:
-        """Kill the zygote at once."""
-        self._launched.kill()
-
     def _await_ready(self) -> None:
         try:
             said = self._control.recv(5, socket.MSG_PEEK)  # other supervisors need the message, too

@@ -120,10 +120,10 @@ def test_a_worker_that_dies_is_replaced(solution_text, course, cold):
             super().__init__(*arguments)
             started.append(self)
             if len(started) == 1:
-                self.kill()
+                self._launched.kill()
             elif len(started) == 2:
                 self._await_ready()
-                self.kill()
+                self._launched.kill()
 
     with pytest.MonkeyPatch.context() as patch, sandboxes():
         patch.setattr("tam570_grader.sandbox.pool.Zygote", Mortal)
@@ -134,7 +134,7 @@ def test_a_worker_that_dies_is_replaced(solution_text, course, cold):
 def test_a_zygote_that_has_died_leaves_no_socket_open():
     zygote = Zygote(["numpy"], ResourceLimits())
     zygote.process(cpu=1.0).drop()
-    zygote.kill()
+    zygote._launched.kill()
     zygote._launched.wait()
     with pytest.raises(ZygoteLost):
         zygote.process(cpu=1.0)
