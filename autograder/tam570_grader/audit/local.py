@@ -23,7 +23,7 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Check
-from tam570_grader.checks.expect import CheckContext, Failed, check_context
+from tam570_grader.checks.expect import Failed, check_context, get_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
 from tam570_grader.grading.run_checks import generator
 from tam570_grader.protocol.answer import answers
@@ -120,6 +120,12 @@ class LocalStudent(Student):
             self._keys[function, id(case)], self.cases[key] = key, case
         return self._keys[function, id(case)]
 
+    def record(self, error: float) -> None:
+        """Count the case of the running check as failed if an error, divided by its limit, is above 1."""
+        key = self.key(get_context().function, get_context().case)
+        if not error <= 1:
+            self.failed.add(key)
+
     def replies(self, name: str, calls: Sequence[Case], mode: str = "value", **more: Any) -> list[Reply]:
         self.functions.add(name)
         return [self._reply(name, case, mode, more) for case in calls]
@@ -140,7 +146,7 @@ class LocalStudent(Student):
         """Return whether a reply fails the check independently of its numbers."""
         if expected:  # exceptions may be right
             return ("error" in reply) != ("error" in expected())
-        returns = self._assignment.returns[name]
+        returns = self.assignment.returns[name]
         if "error" in reply or mode != "value" or not isinstance(returns, Array | Group | FreeBodyDiagram):
             return "error" in reply
         try:
@@ -154,10 +160,8 @@ def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> s
     """Return the cases of a check that a submission fails; repeat the check, with replies replaced, until it ends."""
     while True:
         student.start()
-        context = CheckContext()
         try:
-            with check_context() as context, np.errstate(all="ignore"):
-                context.recorder = partial(_record, student, context)
+            with check_context(recorder=student.record) as context, np.errstate(all="ignore"):
                 check.run(student, generator(seed, slug, check))
         except Exception:  # Failed, or any exception after a failed comparison that did not end the check
             key = student.key(context.function, context.case)
@@ -166,12 +170,6 @@ def failed_cases(student: LocalStudent, check: Check, seed: int, slug: str) -> s
                 student.replaced.add(key)
                 continue
         return student.failed
-
-
-def _record(student: LocalStudent, context: CheckContext, error: float) -> None:
-    key = student.key(context.function, context.case)
-    if not error <= 1:
-        student.failed.add(key)
 
 
 def module_of(text: str) -> ModuleType:

@@ -38,7 +38,6 @@ class SandboxFunction:
     student: "Student"
     name: str
     returns: Any
-    banned: Sequence[str] = ()  # names that are off limits in it
     early: Mapping[bytes, Json] = field(default_factory=dict)  # replies to calls that `ahead` has made, by packed call
 
     def __call__(self, *args: Numbers, **kwargs: Numbers) -> Any:
@@ -216,9 +215,11 @@ class SandboxFunction:
     def _did(self, error: Json, expected: str) -> str:
         """Return what the function did instead of returning, without text that the student may have written."""
         if "Forbidden" in error["kinds"]:
-            return f"uses what is off limits in it: {misused(error, self.banned)}"
+            forbidden = self.student.assignment.forbidden
+            banned = [*forbidden.get(self.name, ()), *forbidden.get("*", ())]
+            return f"uses what is off limits in it: {misused(error, banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
-            return f"must take ({self.student.takes(self.name)})"
+            return f"must take ({self.student.assignment.signature(self.name)})"
         return sentence_of_ban(error["text"]) or f"raised {python_class(error)}{expected}"
 
 

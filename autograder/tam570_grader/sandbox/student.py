@@ -44,7 +44,7 @@ class Student:
         self._forgiving, self._informed = attempt.forgiving, attempt.is_retry
         self.calls: list[Call] = []  # calls of the check that is running
         self.skipped: list[str] = []  # sentences on skipped notebook cells
-        self._source, self._assignment, self._zygote = source, assignment, zygote
+        self._source, self.assignment, self._zygote = source, assignment, zygote
         self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by modules that are off limits in it
         self._defined: set[str] = set()
         self.broken: dict[str, Json] = {}  # functions that hung or crashed, and how
@@ -55,10 +55,9 @@ class Student:
         self._cpu, self._lasted = 0.0, 0.0  # s, CPU time and wall time of the processes that have ended
 
     def __getattr__(self, name: str) -> "Function":
-        if name not in self._assignment.returns:
-            raise AttributeError(f"the contract of {self._assignment.slug} has no function {name}")
-        banned = [*self._assignment.forbidden.get(name, ()), *self._assignment.forbidden.get("*", ())]
-        return SandboxFunction(self, name, self._assignment.returns[name], banned)
+        if name not in self.assignment.returns:
+            raise AttributeError(f"the contract of {self.assignment.slug} has no function {name}")
+        return SandboxFunction(self, name, self.assignment.returns[name])
 
     @contextmanager
     def aside(self, retried: str = "") -> Iterator[None]:
@@ -105,10 +104,6 @@ class Student:
         """Return a sentence on a function that is missing or still the stub."""
         return f"{name} is not written yet." if name in self._defined else f"Your file has no function {name}."
 
-    def takes(self, name: str) -> str:
-        """Return the parameters of a function in the contract, as text."""
-        return self._assignment.signature(name)
-
     def leave(self) -> None:
         """End the submission's processes."""
         for process in self._processes.values():
@@ -129,7 +124,7 @@ class Student:
             raise Failed(**self.broken[name])
         if self._asides and self.seconds() > self._zygote.limits.cpu / 2:
             raise Failed(f"{name} takes too long to be called once more")
-        banned, results = self._assignment.forbidden.get(name, ()), self._assignment.returns
+        banned, results = self.assignment.forbidden.get(name, ()), self.assignment.returns
         refused = [name for name in banned if name in results]  # functions of the file; the others are modules
         uncallable = tuple(name for name in banned if name not in results)
         process = self._process(uncallable)
@@ -190,8 +185,8 @@ class Student:
     def _process(self, uncallable: tuple[str, ...]) -> SandboxProcess:
         """Return the process, with the submission loaded, for functions in which these modules are off limits."""
         if uncallable not in self._processes:
-            hidden = [*self._assignment.forbidden.get("*", ()), *uncallable]
-            process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden, self._assignment.states)
+            hidden = [*self.assignment.forbidden.get("*", ()), *uncallable]
+            process = self._zygote.process(self._zygote.limits.cpu - self._cpu, hidden, self.assignment.states)
             try:
                 self._load(process, uncallable)
             except NotLoaded:
@@ -207,10 +202,10 @@ class Student:
                 {
                     "source": self._source.text,
                     "notebook": self._source.notebook,
-                    "name": self._assignment.slug,
-                    "functions": list(self._assignment.returns),
+                    "name": self.assignment.slug,
+                    "functions": list(self.assignment.returns),
                     "uncallable": list(uncallable),
-                    "forbidden": list(self._assignment.forbidden.get("*", ())),
+                    "forbidden": list(self.assignment.forbidden.get("*", ())),
                 }
             )
             compiled = process.receive(imported)
@@ -225,7 +220,7 @@ class Student:
         if "error" in compiled:
             raise not_compiled(compiled)
         if "error" in reply:
-            raise not_imported(reply, text, self._assignment, informed)
+            raise not_imported(reply, text, self.assignment, informed)
         self._defined = set(reply["names"])
         if not informed:
             self.skipped = [*map(printable, compiled["names"]), *skipped_cells(reply["skipped"], text)]
