@@ -1,9 +1,9 @@
 """Compare a student's function with the reference function, over cases."""
 
 import functools
-import inspect
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from inspect import Parameter, signature
 from types import ModuleType
 from typing import Any
 
@@ -35,11 +35,6 @@ class Column:
 
 
 PLACES = range(2, 13)  # decimals to which students may round; a number with two or fewer may be exact
-PLACED, ARGUMENTS, KEYWORDS = (  # f(name, *args, **known)
-    inspect.Parameter.POSITIONAL_OR_KEYWORD,
-    inspect.Parameter.VAR_POSITIONAL,
-    inspect.Parameter.VAR_KEYWORD,
-)
 NEARLY = 1e-4  # of the largest number: the error of a wrong term is larger, that of a loose tolerance smaller
 SINGLE = 1e-6  # of the largest number; the rounding error of single precision is 6e-8
 
@@ -326,16 +321,16 @@ def trim_to_signature(reference: Function, cases: Iterable[Case]) -> list[Case]:
 
 
 def _trimmed(reference: Function, case: Case) -> Case:
-    parameters = _signature(reference).parameters
-    kinds = [parameter.kind for parameter in parameters.values()]
-    kwargs = {name: case.kwargs[name] for name in case.kwargs if name in parameters or KEYWORDS in kinds}
-    count = sum(name not in kwargs and parameter.kind is PLACED for name, parameter in parameters.items())
-    args = case.args if ARGUMENTS in kinds else case.args[:count]
+    kinds = {name: parameter.kind for name, parameter in _signature(reference).parameters.items()}
+    takes_any = Parameter.VAR_KEYWORD in kinds.values()
+    kwargs = {name: value for name, value in case.kwargs.items() if takes_any or name in kinds}
+    count = sum(kind is Parameter.POSITIONAL_OR_KEYWORD for name, kind in kinds.items() if name not in kwargs)
+    args = case.args if Parameter.VAR_POSITIONAL in kinds.values() else case.args[:count]
     is_uncut = len(args) == len(case.args) and len(kwargs) == len(case.kwargs)
     return case if is_uncut else Case(*args, **kwargs).labelled(case.label, case.hint)
 
 
-_signature = functools.lru_cache(maxsize=256)(inspect.signature)
+_signature = functools.lru_cache(maxsize=256)(signature)
 
 
 def _hint(hint: HintOfCase, case: Case, actual: Numbers, expected: Numbers, part: Comparison) -> str:
