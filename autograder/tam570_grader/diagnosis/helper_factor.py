@@ -39,19 +39,14 @@ def same_factor(
         are_right = []
         for call in wrong:
             case = _with_shared(solution, Call(other.name, before, None), call)
-            factor = _factor(
-                right_answer(solution, Call(other.name, case, None)), partial(_with_factor, other, helper, index, case)
-            )
+            expected = right_answer(solution, Call(other.name, case, None))
+            factor = _factor(expected, partial(other.scaled, helper, index, call=case))
             if factor:
                 result = function.scaled(helper, index, factor, call.case)
                 are_right.append(same(result, right_answer(solution, call), WITHIN))
         return are_right
 
     return any(len(are_right) >= FEWEST and all(are_right) for are_right in map(outcomes, PLACES))
-
-
-def _with_factor(function: StudentFunction, helper: str, index: int, case: Case, factor: float) -> Numbers:
-    return function.scaled(helper, index, factor, case)
 
 
 def _with_shared(solution: str, before: Call, call: Call) -> Case:

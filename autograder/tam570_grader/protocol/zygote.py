@@ -244,7 +244,3 @@ def _send(reply: Json) -> None:
     unsent = memoryview(LENGTH.pack(len(data)) + data)
     while unsent:
         unsent = unsent[os.write(jail.CHANNEL, unsent) :]
-
-
-if __name__ == "__main__":
-    main()
