@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tam570.values import Json, Numbers
+from tam570.values import Json
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import LruCache
 from tam570_grader.checks.expect import Failed, NotWritten
@@ -47,19 +47,13 @@ def _measured(assignment: LoadedAssignment, zygote: Zygote) -> float | None:
 
 def _point(student: Student, scene: Json) -> tuple[float, float] | None:
     """Return CPU seconds of a call, including the transfer of data, and its relative error; None if it is unusable."""
-    arguments = [_as_promised(argument) for argument in scene["arguments"]]
-    keywords = {key: _as_promised(argument) for key, argument in scene["keywords"].items()}
     try:
         student.load()
         before = student.seconds()
-        states = getattr(student, scene["function"])(*arguments, **keywords)
+        states = getattr(student, scene["function"])(*scene["arguments"], **scene["keywords"])
         seconds = student.seconds() - before
     except (Failed, NotWritten, NotLoaded, BudgetSpent, ProcessLost):
         return None
     end = np.array(scene["end"])
     error = float(np.abs(states[-1] - end).max() / np.abs(end).max())
     return (seconds, error) if seconds > 0 and 0 < error < USELESS else None
-
-
-def _as_promised(value: Numbers) -> Numbers:
-    return np.array(value, float) if isinstance(value, list) else value
