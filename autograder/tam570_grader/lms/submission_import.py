@@ -38,7 +38,7 @@ TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's
 
 
 @dataclass(frozen=True)
-class Taken:
+class CollectedFile:
     """A file with its student, its assignment and its new name `target`; if that is empty, `reason` says why."""
 
     student: str
@@ -83,13 +83,13 @@ def run(source: Path, system: str, out: Path, slugs: Sequence[str], slug_given: 
     if not unpacked:
         raise UsageError(f"no name in {source} has the form that {SYSTEMS[system].title} gives: is --from right?")
     slug = slug_given or _assignment_of(unpacked, slugs)
-    rows: list[Taken] = []
+    rows: list[CollectedFile] = []
     for handed in unpacked:
         owners, why = _owners(handed, system, everyone, teams)
         target, reason = _place(handed, why, slug, slugs, slug_given)
-        rows += [Taken(person.folder, person, handed, slug, target, reason) for person in owners]
+        rows += [CollectedFile(person.folder, person, handed, slug, target, reason) for person in owners]
         if not owners:
-            rows.append(Taken(folder_of(handed.who), None, handed, slug, target, reason))
+            rows.append(CollectedFile(folder_of(handed.who), None, handed, slug, target, reason))
     rows = _with_work(_newest(_told_apart(rows, everyone)))
     rows = _timed(rows, lists.times, everyone)
     replaced = _write(rows, out)
@@ -161,7 +161,7 @@ def _place(handed: Handed, why_not: str, slug: str, slugs: Sequence[str], slug_g
     return f"{slug}{ending}", ""
 
 
-def _with_work(rows: Sequence[Taken]) -> list[Taken]:
+def _with_work(rows: Sequence[CollectedFile]) -> list[CollectedFile]:
     """Return the rows, without the targets of drawings and texts of students who have no module or notebook."""
     working = {row.student for row in rows if form(row.target)}
     return [
@@ -170,7 +170,7 @@ def _with_work(rows: Sequence[Taken]) -> list[Taken]:
     ]
 
 
-def _left(row: Taken, reason: str) -> Taken:
+def _left(row: CollectedFile, reason: str) -> CollectedFile:
     return replace(row, target="", reason=reason)
 
 
@@ -187,7 +187,7 @@ def _owners(
     return (team, "") if team else ([], who)
 
 
-def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
+def _told_apart(rows: Sequence[CollectedFile], everyone: Directory) -> list[CollectedFile]:
     """Return the rows, without the targets of different people whose folders would have the same name."""
     folders = {person.folder for person in everyone.people}
     who = defaultdict[str, set[tuple[object, ...]]](set)
@@ -195,7 +195,7 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
         if row.person or row.student not in folders:
             who[row.student].add((row.handed.keys, row.handed.name))
 
-    def reason(row: Taken) -> str:
+    def reason(row: CollectedFile) -> str:
         if row.person is None and row.student in folders:
             return TAKEN
         return TWO if len(who[row.student]) > 1 else ""
@@ -203,15 +203,15 @@ def _told_apart(rows: Sequence[Taken], everyone: Directory) -> list[Taken]:
     return [_left(row, reason(row)) if row.target and reason(row) else row for row in rows]
 
 
-def _newest(rows: Sequence[Taken]) -> list[Taken]:
+def _newest(rows: Sequence[CollectedFile]) -> list[CollectedFile]:
     """Return all rows, sorted, of which only the best of each student and target keeps its target."""
-    best: dict[tuple[str, str], Taken] = {}
+    best: dict[tuple[str, str], CollectedFile] = {}
     for row in rows:
         key = row.student, row.target
         if row.target and (key not in best or _rank(row) >= _rank(best[key])):
             best[key] = row
 
-    def placed(row: Taken) -> Taken:
+    def placed(row: CollectedFile) -> CollectedFile:
         winner = best.get((row.student, row.target), row)
         if winner is row:
             return row
@@ -223,18 +223,18 @@ def _newest(rows: Sequence[Taken]) -> list[Taken]:
     return sorted(map(placed, rows), key=lambda row: (row.student, row.slug, row.handed.order))
 
 
-def _rank(row: Taken) -> tuple[bool, bool, tuple[object, ...]]:
+def _rank(row: CollectedFile) -> tuple[bool, bool, tuple[object, ...]]:
     """Return a key, largest for the best file: begun, named after its assignment, newest, with the exact name."""
     title = row.handed.title
     newest = row.handed.order, title == row.target, copy_order(title, row.slug), -row.handed.file.path.count("/")
     return is_begun(row.handed.file.data), of_name(title, [row.slug]) is not None, newest
 
 
-def _timed(rows: Sequence[Taken], path: Path | None, everyone: Directory) -> list[Taken]:
+def _timed(rows: Sequence[CollectedFile], path: Path | None, everyone: Directory) -> list[CollectedFile]:
     """Return the rows with times from a log, worksheet or roster if the download has none."""
     logged = _last_times(path, everyone) if path else {}
 
-    def when(row: Taken) -> str:
+    def when(row: CollectedFile) -> str:
         person = row.person
         return row.handed.when or (person and (logged.get(person.folder, "") or time_of(person.when))) or ""
 
@@ -262,7 +262,7 @@ def _last_times(path: Path, everyone: Directory) -> dict[str, str]:
     return latest
 
 
-def _write(rows: Sequence[Taken], out: Path) -> list[str]:
+def _write(rows: Sequence[CollectedFile], out: Path) -> list[str]:
     """Write the files into their folders, and collected.csv; return a sentence for each file that is replaced."""
     path, replaced = out.parent / TABLE, []
     with writing(out):
@@ -298,7 +298,7 @@ def _warn(troubles: Iterable[tuple[str, str]]) -> None:
             warn(f"{number - MOST_WARNINGS} more of {student}: {TABLE} lists them")
 
 
-def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, str]]:
+def _newer_notebooks(rows: Iterable[CollectedFile], out: Path) -> Iterator[tuple[str, str]]:
     """Yield student and sentence for each notebook that is newer than the module that counts."""
     work = [row for row in rows if row.target]
     modules = {(row.student, row.slug): row.handed.order for row in work if row.target.endswith(".py")}
@@ -311,7 +311,7 @@ def _newer_notebooks(rows: Iterable[Taken], out: Path) -> Iterator[tuple[str, st
             yield row.student, f"{row.handed.file.path} of {row.student} is newer than {counts}, which counts: {remedy}"
 
 
-def _say(rows: Sequence[Taken], out: Path, everyone: Directory, slug: str, *, all_matched: bool) -> None:
+def _say(rows: Sequence[CollectedFile], out: Path, everyone: Directory, slug: str, *, all_matched: bool) -> None:
     """Print how many files were collected, late, or without a time, and who on the roster handed in nothing."""
     work = [row for row in rows if form(row.target)]
     late = sum(row.handed.late for row in work)
