@@ -134,6 +134,17 @@ def test_an_ensemble_under_a_force_that_sets_in_late():
         assert result == pytest.approx(solve(rates, t, start, rtol=1e-10, method="python"), abs=1e-6)
 
 
+def test_an_ensemble_respects_the_atol_of_the_caller():
+    """The motion shrinks by a factor of e^50 and grows back, which only atol=0 computes."""
+
+    def rates(t, y):
+        return (t - 10) * y[0] - 3 * y[1], (t - 10) * y[1] + 3 * y[0]
+
+    starts = np.random.default_rng(575).normal(size=(20, 2))
+    together = solve(rates, [0, 20.0], starts, atol=[0.0, 0.0], method="compiled")[:, -1]
+    assert together @ [1, 1j] == pytest.approx(np.exp(60j) * (starts @ [1, 1j]), rel=1e-7)
+
+
 def van_der_pol(t, y, *, stiffness):
     return y[1], stiffness * (1 - y[0] ** 2) * y[1] - y[0]
 

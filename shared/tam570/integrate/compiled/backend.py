@@ -2,7 +2,7 @@
 
 import math
 import struct
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from types import ModuleType
 from typing import NamedTuple
@@ -129,13 +129,18 @@ def taylor_run(run: Run, look: Look, state: State, *, is_fresh: bool = False) ->
 def _packed(motion: CompiledMotion, run: Run, state: State, is_fresh: bool) -> bytes:
     """Return the initial content of z for a run from this state."""
     control = run.control
-    sizes = [a / (SHARE * run.rtol) if a > NO_SCALE else 0.0 for a in state.a]
+    sizes = _scales(state.a, run.rtol)
     is_start = state.t == 0.0 and not state.steps and not control.atol
     has_sizes = 1.0 if control.atol or (min(sizes) > 0.0 and not is_start) else 2.0 if not is_start else 0.0
     status = taylor_loop.FRESH if is_fresh else taylor_loop.RUNNING
     first_numbers = (state.row, state.t, 0, state.t, status, 0, 0, 0, state.h, has_sizes)
     limits = 0, control.max_step, math.inf if control.first_step is None or state.steps else control.first_step
     return motion.numbers.pack(*first_numbers, *limits, *UNSET, *state.y, *state.r, *sizes)
+
+
+def _scales(a: Sequence[float], rtol: float) -> list[float]:
+    """Return the scales of the components from their absolute tolerances; 0 if there is none."""
+    return [size / (SHARE * rtol) if size > NO_SCALE else 0.0 for size in a]
 
 
 def _pack_call(memory: Memory, run: Run, rows: Array, budget: int) -> None:
@@ -225,7 +230,9 @@ def taylor_runs(graph: Graph, times: Array, out: Array, starts: Array, control: 
     z = memory.z
     z[LANES * taylor_loop.STATUS : LANES * (taylor_loop.STATUS + 1)] = taylor_loop.IDLE
     z[running], memory.time[:] = len(starts), origin
-    members = np.hstack([np.zeros((len(starts), 1)), starts])
+    scales = _scales(control.atol or (0.0,) * size, rtol)
+    has_scales = np.full(len(starts), bool(control.atol))
+    members = np.column_stack([has_scales, starts, np.tile(scales, (len(starts), 1))])
     ends = address_of(times), len(times), address_of(out), address_of(members), len(starts)
     order = taylor.order_for(rtol, LANES)
 

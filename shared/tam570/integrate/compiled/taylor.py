@@ -71,7 +71,7 @@ def loop_module(loop: Loop) -> str:
     translator.together = translator.width if lanes == 1 else 1
     arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
     arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
-    several = [] if lanes == 1 else [Array("%members", 1 + size, Value("i64", "%several"))]
+    several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
     arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
     preamble = ["define void @advance(ptr %arguments) {", "entry:"]

@@ -212,7 +212,7 @@ def advance_all(
 ) -> None:
     """Like `advance` for many motions, LANES at a time; a finished motion makes room for the next.
 
-    members : a row per motion: its final status, then its start
+    members : a row per motion: 1 if it has scales, later its final status; its start; its scales
     The memory after all z contains the number of motions begun and the number of unfinished ones.
     """
     pace = pace_of(rtol)
@@ -263,10 +263,12 @@ def begin(
         z[k * LANES] = 0.0
     z[ROW] = 1.0
     z[WHO] = float(who)
+    z[SIZED] = members[who, 0]
     z[MAXIMUM] = z[FIRST] = inf
     z[LONGEST] = times[len(times) - 1] / 100.0
     for i in range(SIZE):
         z[at(Y, i)] = members[who, 1 + i]
+        z[at(M, i)] = members[who, 1 + SIZE + i]
         work[coefficient(i, 0, lane)] = z[at(Y, i)]
     start_motion(z, out)
 
