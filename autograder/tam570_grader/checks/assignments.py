@@ -17,7 +17,7 @@ import tam570
 from tam570.values import Numbers
 from tam570_grader.checks.assignment import Assignment
 from tam570_grader.checks.check import Check, draw_once
-from tam570_grader.checks.effort import Finder
+from tam570_grader.checks.effort import PACKAGES, Finder
 from tam570_grader.checks.rubric import ManualPart, load_rubric
 from tam570_grader.errors import UsageError
 
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from tam570_grader.checks.figures import Figure
 
 INSTALLED = tuple(Path(tam570.__file__).resolve().parents[1:3])  # possible roots of an editable install
-PACKAGES = "_checks_"  # prefix of the names of the packages of checks
-sys.meta_path.insert(0, Finder(PACKAGES))  # their steps are counted
+sys.meta_path.insert(0, Finder)  # their steps are counted
 OVERRIDES, ADDITIONS = "adapted", "own"  # modules beside `checks` in an adapted course
 
 

@@ -14,6 +14,7 @@ from types import CodeType, ModuleType
 from tam570 import meter
 from tam570.bytecode import cached_code
 
+PACKAGES = "_checks_"  # prefix of the names of the packages of checks
 PROLOGUE = "from {} import count as _count"
 HEAD = re.compile(r"(?m)^ *(?:def|for|while)\b")
 FORMATTED = re.compile(r"(?m)^( *)(?:def|for|while)\b(?:.*\(\n(?: .*\n)*?\1\))?.*:(?:  #.*)?\n+(?=( +))")
@@ -76,14 +77,10 @@ class _Loader(importlib.machinery.SourceFileLoader):
 
 
 class Finder:
-    """Meta path finder for modules in packages whose names begin with a prefix; it compiles them with counts."""
+    """Meta path finder for the modules of packages of checks; it compiles them with counts."""
 
-    def __init__(self, prefix: str) -> None:
-        self.prefix = prefix
-
-    def find_spec(
-        self, name: str, path: Sequence[str] | None = None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        if not path or not name.startswith(self.prefix):
+    @staticmethod
+    def find_spec(name: str, path: Sequence[str] | None = None, target: ModuleType | None = None) -> ModuleSpec | None:
+        if not path or not name.startswith(PACKAGES):
             return None
         return importlib.machinery.FileFinder(path[0], (_Loader, [".py"])).find_spec(name)

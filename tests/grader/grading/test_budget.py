@@ -10,7 +10,7 @@ from parameters import first
 
 from tam570.meter import Exhausted, limited
 from tam570_grader.checks import assignments, effort
-from tam570_grader.checks.effort import Finder, compile_counted
+from tam570_grader.checks.effort import PACKAGES, Finder, compile_counted
 from tam570_grader.diagnosis import diagnose
 from tam570_grader.grading import budget, run_checks
 from tam570_grader.grading.run_checks import graded
@@ -116,7 +116,7 @@ def test_a_module_that_was_left_compiled_is_read_until_its_text_changes(tmp_path
     def loaded(text):
         file.write_text(text)
         names = {}
-        exec(Finder("").find_spec("endless", [str(tmp_path)]).loader.get_code("endless"), names)
+        exec(Finder.find_spec(f"{PACKAGES}.endless", [str(tmp_path)]).loader.get_code(f"{PACKAGES}.endless"), names)
         return names["endless"]
 
     for _ in range(2):
