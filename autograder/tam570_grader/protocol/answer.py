@@ -14,11 +14,9 @@ from tam570.formulas import form_of, unknown_symbols, values_at
 from tam570.values import Function, Json, Numbers
 
 from .picture import picture
-from .wire import portable
+from .wire import LONGEST_TEXT, portable
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
-
-LONGEST_TEXT = 300
 
 
 def answers(module: ModuleType, request: Json) -> Iterator[Json]:

@@ -14,13 +14,12 @@ import numpy as np
 
 from tam570.values import Function, Json, Numbers
 
-from .wire import LARGEST_ARRAY
+from .wire import LARGEST_ARRAY, LONGEST_TEXT
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
 Artist: TypeAlias = Any  # a Matplotlib object: axes, figure, canvas, or an artist in them
 
-LONGEST_TEXT = 300
 MOST_LINES = 500
 MOST_PRINTED = 12  # artists that are drawn one by one; no assignment requires as many curves
 FEWEST = 10  # least points of a curve

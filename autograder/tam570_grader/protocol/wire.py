@@ -4,7 +4,7 @@ import builtins
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain
-from struct import pack, unpack_from
+from struct import Struct, pack, unpack_from
 from typing import Any, TypeAlias
 
 import msgpack
@@ -15,6 +15,8 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]
 
 Message: TypeAlias = Any  # plain data: numbers, texts, lists and maps of them, float arrays, Foreigns
 
+LENGTH = Struct(">I")  # of a message, sent before it
+LONGEST_TEXT = 300  # characters of a label, of an exception's text, of a report on a notebook's cell
 FOREIGN, TYPES = 2, {1: "<f8", 3: "<c16"}  # codes of msgpack extensions
 LARGEST_ARRAY = 2**24  # bytes; the largest honest result, 1e5 rows of 15 numbers, has 12e6
 MOST_ITEMS = 2**20  # items of lists and maps in the replies to one request; a number in a list takes 70 bytes

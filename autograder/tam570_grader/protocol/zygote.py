@@ -14,7 +14,6 @@ import select
 import shutil
 import signal
 import socket
-import struct
 import sys
 import tempfile
 import time
@@ -31,13 +30,12 @@ from .cells import plain_cells, python, statements
 from .load import compiled, load
 from .picture import blank_axes
 from .refusals import program
-from .wire import packed, stacked, unpacked
+from .wire import LENGTH, LONGEST_TEXT, packed, stacked, unpacked
 
 __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 
-LENGTH = struct.Struct(">I")
 LONGEST_ORDER = 2**14  # bytes
-LONGEST_TEXT, MOST_TOLD = 300, 50  # characters of a report on a notebook's cell, and reports
+MOST_TOLD = 50  # reports on a notebook's cells
 HOLD = 0.02  # s that a reply may wait, to be sent together with the next ones
 READINGS = {"cells": plain_cells, "python": python, "statements": statements}
 

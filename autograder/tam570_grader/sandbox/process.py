@@ -2,15 +2,13 @@
 
 import select
 import socket
-import struct
 import time
 from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, TypeVar
 
-from tam570_grader.protocol.wire import ItemBudget, Unreadable, packed, unpacked
+from tam570_grader.protocol.wire import LENGTH, ItemBudget, Unreadable, packed, unpacked
 
-LENGTH = struct.Struct(">I")
 LARGEST_REPLY = 2**26  # bytes of all replies to one request
 PIECE = 2**16  # bytes per recv; a larger buffer would be requested from the system each time
 SHORT = 1000  # bytes; a shorter reply takes less time to read than a query of the clock

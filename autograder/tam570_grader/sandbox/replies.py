@@ -16,7 +16,7 @@ from tam570.formulas import REMEDIES
 from tam570.values import Json, Numbers
 from tam570_grader.checks.returns import Drawing, Line
 from tam570_grader.errors import printable
-from tam570_grader.protocol.wire import DEEPEST, MOST_DIMENSIONS, Foreign
+from tam570_grader.protocol.wire import DEEPEST, LONGEST_TEXT, MOST_DIMENSIONS, Foreign
 from tam570_grader.sandbox.process import ProcessLost
 
 Reply = Json
@@ -27,7 +27,6 @@ MOST_POINTS = 2**20  # of all lines of a drawing
 MOST_SCATTERED = 10_000  # points of a scatter plot; more are thinned, as checks search a path for each
 MOST_EMPTY = 10_000  # lists in an array without numbers, whose shape costs no memory
 MOST_WORDS = 100  # unknown symbols of a formula, functions of a module, cells of a notebook
-LONGEST_TEXT = 300  # characters of a label or of an exception's text
 NO_ERROR: Reply = {"kinds": [], "text": "", "line": 0}
 
 

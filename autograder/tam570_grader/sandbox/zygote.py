@@ -14,8 +14,9 @@ from pathlib import Path
 
 from tam570.values import Json
 from tam570_grader.errors import Over
+from tam570_grader.protocol.wire import LENGTH
 from tam570_grader.sandbox.launch import isolation, launch
-from tam570_grader.sandbox.process import LENGTH, ProcessLost, ProcessTimeout, SandboxProcess
+from tam570_grader.sandbox.process import ProcessLost, ProcessTimeout, SandboxProcess
 from tam570_grader.sandbox.replies import checked, imported
 
 FILE_SIZE = 2**25  # bytes that a submission may write into its scratch folder

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from classes import HW08 as SLUG
 
-from tam570_grader.protocol.wire import DEEPEST, Foreign
+from tam570_grader.protocol.wire import DEEPEST, LONGEST_TEXT, Foreign
 from tam570_grader.sandbox import replies
 from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -66,7 +66,7 @@ def test_a_drawing_of_too_much_or_of_something_else_is_none(other):
 def test_a_drawing_has_short_labels_and_a_scatter_few_points():
     scatter = {**LINE, "points": np.zeros((10**6, 2)), "scatter": True, "label": r"\hspace{" * 10**5}
     built = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
-    assert len(built.xlabel) == len(built.lines[0].label) == replies.LONGEST_TEXT and built.ylabel == ""
+    assert len(built.xlabel) == len(built.lines[0].label) == LONGEST_TEXT and built.ylabel == ""
     assert len(built.lines[0].points) <= replies.MOST_SCATTERED
 
 
