@@ -4,7 +4,7 @@ import argparse
 import contextlib
 import difflib
 import shlex
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 
 from tam570_grader.checks import assignments
@@ -13,7 +13,7 @@ from tam570_grader.course import course_config, late_policy
 from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.reports import feedback
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, WORDS, Entry
+from tam570_grader.results.manual_points import COLUMNS, EVERYONE, LATE, TOTAL, WORDS, Entry, ManualAdjustments
 from tam570_grader.results.store import Results, ResultStore, results
 from tam570_grader.results.tables import write_table
 
@@ -64,8 +64,10 @@ def _points(arguments: argparse.Namespace) -> int:
         new = list(_checked_rows(arguments.table, graded, rubrics, checks)) if arguments.table else []
     feedback.must_write_pages()
     with writing(folder), contextlib.closing(ResultStore(folder)) as store:  # locked: no other command adds rows
-        manual = manual_points.read(folder).with_(new)
+        old = manual_points.read(folder)
+        manual = old.with_(new)
         adjustments, open_, notes = late_policy.apply_late_policy(manual, policies, store, arguments.collected)
+        notes += _taken_back(old, new)
         if free := sorted({entry.slug for entry in new if entry.item == LATE and adjustments.is_late_free(entry)}):
             notes.append(
                 f"Late days in {', '.join(free)} cost nothing; add a row '{manual_points.OFF}' with their cost."
@@ -78,6 +80,15 @@ def _points(arguments: argparse.Namespace) -> int:
     rows = counted(len({entry.key for entry in new if entry.student != EVERYONE}), "row")
     say(f"{folder}: {rows} added by hand, {count} late")
     return 1 if open_ or failed else 0
+
+
+def _taken_back(old: ManualAdjustments, new: Iterable[Entry]) -> Iterator[str]:
+    """Yield a sentence for each row that had points and has none now, as in a template filled by somebody else."""
+    for entry in new:
+        earlier = old.entries.get(entry.key)
+        if entry.points is None and earlier and earlier.points is not None:
+            what = f"{entry.item} of {entry.student} in {entry.slug}"
+            yield f"{what} had {earlier.points:g}; a row without points took it back"
 
 
 def _checked_rows(

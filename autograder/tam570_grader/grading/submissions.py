@@ -409,8 +409,8 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
     packed = [entry for entry in held if is_zip(entry.name)]
     packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
     fits: tuple[Callable[[Path], bool], ...] = (
-        lambda entry: entry.name == f"{slug}.py",
-        lambda entry: entry.name == f"{slug}.ipynb",
+        lambda entry: is_exact(entry.name, f"{slug}.py"),
+        lambda entry: is_exact(entry.name, f"{slug}.ipynb"),
         lambda entry: entry in named and form(entry.name) == ".py",
         lambda entry: entry in named,
         lambda entry: not named and form(entry.name) == ".ipynb",
@@ -422,6 +422,11 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
     others = [*best[1:], *(entry for entry in named if best and form(entry.name) == form(best[0].name))]
     others = [entry for entry in dict.fromkeys(others[:MOST_NAMES]) if entry != best[0]]
     return best[:1] + [entry for entry in others if is_begun(content(entry)) and content(entry) != content(best[0])]
+
+
+def is_exact(name: str, expected: str) -> bool:
+    """Return whether a file has the expected name, or that with the number of a download: hw08_axis_angle (1).py."""
+    return re.sub(r" ?\(\d{1,9}\)", "", name) == expected
 
 
 def copy_order(name: str, slug: str) -> tuple[bool, int]:

@@ -10,7 +10,7 @@ from tam570_grader.errors import UsageError, counted, say, warn, writing
 from tam570_grader.grading import roster as rosters
 from tam570_grader.grading.archives import METADATA, File, Quota, is_beside, members, unpack_zip
 from tam570_grader.grading.roster import Directory, Person
-from tam570_grader.grading.submissions import GIVEN, copy_order, folder_of, is_begun, of_folder, of_name
+from tam570_grader.grading.submissions import GIVEN, copy_order, folder_of, is_begun, is_exact, of_folder, of_name
 from tam570_grader.lms.downloads import Handed, read, time_of
 from tam570_grader.lms.systems import SYSTEMS
 from tam570_grader.results.collected import COLUMNS, MINOR, OLDER, RELEASED, SAME, TABLE, form, is_zip, listed
@@ -226,7 +226,12 @@ def _newest(rows: Sequence[CollectedFile]) -> list[CollectedFile]:
 def _rank(row: CollectedFile) -> tuple[bool, bool, tuple[object, ...]]:
     """Return a key, largest for the best file: begun, named after its assignment, newest, with the exact name."""
     title = row.handed.title
-    newest = row.handed.order, title == row.target, copy_order(title, row.slug), -row.handed.file.path.count("/")
+    newest = (
+        row.handed.order,
+        is_exact(title, row.target),
+        copy_order(title, row.slug),
+        -row.handed.file.path.count("/"),
+    )
     return is_begun(row.handed.file.data), of_name(title, [row.slug]) is not None, newest
 
 

@@ -17,7 +17,7 @@ from tam570_grader.checks.rubric import ManualPart
 from tam570_grader.errors import UsageError, progress, warn
 from tam570_grader.reports.sentences import capitalized, describe_failure, known_mistake, points, sentence, typeset
 from tam570_grader.results import manual_points
-from tam570_grader.results.manual_points import AdjustedScore, ManualAdjustments
+from tam570_grader.results.manual_points import EX, AdjustedScore, ManualAdjustments
 from tam570_grader.results.records import CheckResult, Result, read
 from tam570_grader.results.store import Key, Record, Results
 from tam570_grader.results.tables import write_in, written
@@ -231,7 +231,10 @@ def with_hand(
     rows: Iterable[tuple[str, ...]], results: Results, adjustments: ManualAdjustments
 ) -> list[tuple[str, ...]]:
     """Return the rows of the table with scores adjusted by hand."""
-    scores = {key: _score(it.score, it.most) for key, it in _adjusted(adjustments, results).items()}
+    scores = {
+        key: f"{EX:>5} / {points(it.most)}" if it.excused else _score(it.score, it.most)
+        for key, it in _adjusted(adjustments, results).items()
+    }
     return [(*row[:2], scores.get((row[0], row[1]), row[2]), *row[3:]) for row in rows]
 
 

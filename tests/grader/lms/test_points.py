@@ -127,6 +127,13 @@ def test_a_template_without_parts_is_no_table(desk):
     assert code == 2 and "graded by hand" in printed and not (desk.folder / "fill.csv").exists()
 
 
+def test_a_row_that_takes_points_back_is_named(results, capsys):
+    """The template of somebody who grades other students has empty cells for these."""
+    points(results, "ann,hw07,c,1.5,")
+    assert points(results, "ann,hw07,c,,", "ben,hw07,c,2,") == 0
+    assert "c of ann in hw07_double_pendulum had 1.5" in capsys.readouterr().err
+
+
 def test_late_days_that_cost_nothing_are_warned_of(results, capsys):
     assert points(results, late := "ann,hw07,late,1,") == 0 and "cost nothing" in capsys.readouterr().err
     assert points(results, late, "*,hw07,off a day,.1,") == 0 and "cost nothing" not in capsys.readouterr().err
