@@ -78,10 +78,10 @@ def _moment(text: str) -> str:
     return time_of(plain)
 
 
-def time_of(text: str) -> str:
+def time_of(text: str, *, day_first: bool = True) -> str:
     """Return a time in a table in ISO format; "" for other text, for example in another language."""
     try:
-        moment: datetime = dates.parse(text, dayfirst=not re.match(r"\d{4}", text))
+        moment: datetime = dates.parse(text, dayfirst=day_first and not re.match(r"\d{4}", text))
     except (ValueError, OverflowError):
         return ""
     return moment.isoformat(" ")

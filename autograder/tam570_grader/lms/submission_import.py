@@ -34,6 +34,7 @@ SUBMITTED = (
 )
 NOTE = re.compile(r".+_attempt_[\d-]+\.txt")  # Blackboard's note on a submission, which has its typed text
 TYPED = re.compile(rf"onlinetext\.html|.+_text\.html|{NOTE.pattern}")  # Moodle's, Canvas's and Blackboard's typed text
+SLASHED, MONTHS = re.compile(r"(\d{1,2})/(\d{1,2})/"), 12  # the first two numbers of a date
 TIME, WHO, EVENT = "time", "user full name", "event name"  # columns of Moodle's log
 
 
@@ -260,11 +261,20 @@ def _last_times(path: Path, everyone: Directory) -> dict[str, str]:
     else:
         raise UsageError(f"{path} is neither Moodle's worksheet ({rosters.WHEN}) nor its log ({TIME}, {WHO}, {EVENT})")
     latest: dict[str, str] = {}
+    day_first = _is_day_first([text for _, _, text in pairs], path)
     for keys, name, text in pairs:
-        who, when = everyone.owner(keys, name, must_agree=True), time_of(text)
+        who, when = everyone.owner(keys, name, must_agree=True), time_of(text, day_first=day_first)
         if isinstance(who, Person) and when:
             latest[who.folder] = max(when, latest.get(who.folder, ""))
     return latest
+
+
+def _is_day_first(texts: Iterable[str], path: Path) -> bool:
+    """Return whether dates such as 14/09/26 begin with the day; in American English Moodle writes 09/14/26."""
+    numbers = [tuple(map(int, match.groups())) for text in texts if (match := SLASHED.match(text.strip()))]
+    if numbers and max(map(max, numbers)) <= MONTHS:
+        warn(f"the dates in {path} could begin with the day or with the month; they are read as days, then months")
+    return all(second <= MONTHS for _, second in numbers)
 
 
 def _write(rows: Sequence[CollectedFile], out: Path) -> list[str]:

@@ -160,6 +160,24 @@ def test_moodles_zip_tells_no_time(desk, download, roster, more, late):
     assert desk.scores() == {login: 5.0 if login in late else 10.0 for login in ("garcia", "obrien")}
 
 
+@pytest.mark.parametrize(
+    ("days", "when", "is_warned"),
+    [
+        (("09/14/26", "09/12/26"), "2026-09-12", False),
+        (("14/09/26", "12/09/26"), "2026-09-12", False),
+        (("12/09/26",), "2026-09-12", True),
+    ],
+)
+def test_all_dates_of_a_log_have_one_order(desk, download, days, when, is_warned):
+    name, other, event = "José García Núñez", "Pat O'Brien", "A submission has been submitted."
+    rows = [[f"{day}, 10:00:00", who, event] for day, who in zip(days, (other, name), strict=False)]
+    rows[-1][1] = name
+    desk.write("log.csv", [("Time", "User full name", "Event name"), *rows])
+    roster = [row[:3] for row in worksheet()]
+    _, printed = download("moodle", {f"{moodle_name(1)}/hw08.py": "x"}, roster, "--times", "log.csv")
+    assert desk.rows("collected.csv")[0]["when"] == f"{when} 10:00:00" and ("could begin" in printed) == is_warned
+
+
 TEAMS = [("group", "login"), *((group, login) for login, *_, group in CLASS)]
 
 
