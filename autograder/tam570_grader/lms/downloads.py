@@ -56,8 +56,13 @@ def _of_names(files: Sequence[File], system: System) -> Iterator[Handed | File]:
     if system is SYSTEMS["canvas"] and len({file.path.partition("/")[0] for file in files}) == 1:
         inner = [replace(file, path=file.path.partition("/")[2]) for file in files]
         files = inner if any(fields_of(file.path, system) for file in inner) else files
-    for file in files:
-        fields = fields_of(file.path, system)
+    each = [fields_of(file.path, system) for file in files]
+    # Blackboard writes the assignment's title before the login, and both may contain underscores
+    titled = {f"{fields['title']}_{fields['user']}" for fields in each if fields and "title" in fields}
+    common = os.path.commonprefix(sorted(titled)).rpartition("_")[0]
+    for file, fields in zip(files, each, strict=True):
+        if fields and "title" in fields and common:
+            fields["user"] = f"{fields['title']}_{fields['user']}".removeprefix(f"{common}_")
         is_file = fields is not None and file.path.endswith(fields["whole"])
         if fields is None or (is_file and not fields.get("file") and not file.path.endswith((".html", ".txt"))):
             yield file

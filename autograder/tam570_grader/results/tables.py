@@ -1,5 +1,6 @@
 """Read tables from any spreadsheet; write files atomically, and tables without cells that spreadsheets evaluate."""
 
+import codecs
 import contextlib
 import csv
 import io
@@ -101,7 +102,9 @@ def by_column(
 def lines(path: Path, errors: str = "strict") -> list[tuple[int, list[str]]]:
     """Return the nonempty rows of a CSV file, each with the number of its last line; `errors` as in `open`."""
     try:
-        with open(path, newline="", encoding="utf-8-sig", errors=errors) as file:
+        with open(path, "rb") as raw:
+            is_wide = raw.read(2) in (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)  # Blackboard's, Excel's Unicode text
+        with open(path, newline="", encoding="utf-16" if is_wide else "utf-8-sig", errors=errors) as file:
             first = file.readline()
             file.seek(0)
             reader = csv.reader(file, delimiter=max(DELIMITERS, key=first.count))

@@ -251,16 +251,21 @@ def test_a_long_name_spoils_no_table(desk, download, name):
 
 
 def test_blackboard_and_back(desk, download, upload):
-    rows = [(f"Last{n}", f"First{n}", login, number) for n, (login, number, *_) in enumerate(CLASS)]
+    people = [*CLASS, ("j_ann", "23")]  # another student is ann
+    rows = [(f"Last{n}", f"First{n}", login, number) for n, (login, number, *_) in enumerate(people)]
     heading = ("Last Name", "First Name", "Username", "Student ID", f"{HW08} [Total Pts: 10 Score] |664617")
-    files = {f"HW 8_{login}_attempt_2026-09-14-23-58-00_hw08.py": f"# of {login}" for login in LOGINS}
-    files |= {f"HW 8_{login}_attempt_2026-09-14-23-58-00.txt": "Name: x" for login in LOGINS}
+    logins = [row[2] for row in rows]
+    files = {f"HW_8_{login}_attempt_2026-09-14-23-58-00_hw08.py": f"# of {login}" for login in logins}
+    files |= {f"HW_8_{login}_attempt_2026-09-14-23-58-00.txt": "Name: x" for login in logins}
     code, printed = download("blackboard", files, [heading, *((*row, "") for row in rows)])
-    assert (code, desk.collected) == (0, {login: f"# of {login}" for login in LOGINS}), printed
+    assert (code, desk.collected) == (0, {login: f"# of {login}" for login in logins}), printed
     assert desk.read("collected.csv")[1][4] == "2026-09-14 23:58:00"
-    desk.write_grades({login: n for n, login in enumerate(LOGINS)})
-    code, _, table = upload("blackboard")
-    assert code == 0 and table == [[*heading], *([*row, str(n)] for n, row in enumerate(rows))]
+    desk.write_grades({login: n for n, login in enumerate(logins)})
+    for _ in range(2):
+        code, _, table = upload("blackboard")
+        assert code == 0 and table == [[*heading], *([*row, str(n)] for n, row in enumerate(rows))]
+        lines = ["\t".join(cells) for cells in (heading, *((*row, "") for row in rows))]  # its other format
+        desk.write("roster.csv", "\n".join(lines).encode("utf-16"))
 
 
 def test_brightspace_and_back(desk, download, upload):
