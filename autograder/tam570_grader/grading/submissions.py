@@ -405,7 +405,13 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         newest = sorted(equal, key=lambda entry: copy_order(entry.name, slug), reverse=True)[:MOST_NAMES]
         return sorted(newest, key=rank, reverse=True) if newest[1:] else newest
 
+    def is_stub(entry: Path) -> bool:
+        """Return whether nobody wrote in a file; a module may define its functions without `def`."""
+        is_empty = form(entry.name) == ".ipynb" or UNWRITTEN.search(content(entry))
+        return bool(is_empty) and not is_begun(content(entry))
+
     named = dict.fromkeys(entry for entry in held if form(entry.name) and slug_of(entry.stem, [slug]))
+    only_stubs = all(map(is_stub, named))
     packed = [entry for entry in held if is_zip(entry.name)]
     packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
     fits: tuple[Callable[[Path], bool], ...] = (
@@ -413,8 +419,8 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         lambda entry: is_exact(entry.name, f"{slug}.ipynb"),
         lambda entry: entry in named and form(entry.name) == ".py",
         lambda entry: entry in named,
-        lambda entry: not named and form(entry.name) == ".ipynb",
-        lambda entry: not named and form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
+        lambda entry: only_stubs and form(entry.name) == ".ipynb",
+        lambda entry: only_stubs and form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
         lambda entry: entry in packed,
     )
     groups = [equal for is_chosen in fits if (equal := in_order(filter(is_chosen, held)))]

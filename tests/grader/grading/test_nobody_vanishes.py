@@ -98,6 +98,7 @@ def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_
         ({"hw08.zip": {"hw08.py": "", "old/hw08.py": WRONG}}, ["hw08.zip/old/hw08.py"]),
         ({"hw08.zip": {"a\\hw08.py": "", "a\\._hw08.py": WRONG, "a\\.git\\hw08.py": WRONG}}, []),
         ({"hw08.py. ": ""}, []),
+        ({f"{HW08}/{HW08}.py": None, f"{HW08}/work.py": ""}, []),
     ],
 )
 def test_of_equal_files_the_newest_counts_and_row_and_page_name_the_others(tmp_path, run, solution_text, files, others):
