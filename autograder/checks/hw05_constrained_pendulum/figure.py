@@ -1,6 +1,7 @@
 """The figure of hw05: the particle on its circle."""
 
-from tam570_grader.checks.figures import Figure, circle
+from tam570.show.drawing import unit_circle
+from tam570_grader.checks.figures import Figure
 
 from . import reference
 
@@ -16,7 +17,7 @@ def figure(theta=0.8, omega=0.6, length=1.0):
         x=(-1.25, 1.75),
         y=(-1.2, 1.2),
     )
-    shown.line(circle((0, 0), length), "dash", closed=True)
+    shown.line(length * unit_circle(48), "dash", closed=True)
     shown.axes((0, 0), 0.5)
     shown.segments(reference.wireframe(state, length=length))
     shown.line([(position[0], 0), position], "dash")

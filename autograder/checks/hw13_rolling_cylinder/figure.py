@@ -4,7 +4,8 @@ import math
 
 import numpy as np
 
-from tam570_grader.checks.figures import Figure, circle
+from tam570.show.drawing import unit_circle
+from tam570_grader.checks.figures import Figure
 
 from . import reference
 
@@ -29,7 +30,7 @@ def figure(phi=0.9, radius=1.0, offset=0.5, slope=0.4):
     shown.ground(at(-2.1, 0), at(2.3, 0))
     shown.line([at(2.3, 0), at(2.3, 0) - [1.6, 0]], "dash")
     shown.angle(at(2.3, 0), 1.1, math.pi, math.pi - slope, "slope", by=(-42, 2))
-    shown.line(circle(centre, radius), "solid", closed=True)
+    shown.line(centre + radius * unit_circle(48), "solid", closed=True)
     shown.line([centre, C], "dash")
     shown.line([centre, centre + 1.35 * radius * (G - centre) / offset], "dash")
     to_C = math.atan2(*(C - centre)[::-1])

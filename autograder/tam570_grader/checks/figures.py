@@ -120,14 +120,10 @@ class Figure:
 
     def spring(self, a: ArrayLike, b: ArrayLike) -> None:
         """Draw a spring from a to b."""
+        from tam570.show.drawing import coil  # imported late: checks need no scenes
+
         start, end = self._on_paper([a, b])
-        along = (end - start) / math.dist(start, end)
-        side = COIL * np.array([-along[1], along[0]])
-        stops = np.linspace(0.12, 0.88, 2 * TURNS + 1)
-        zigzag = [
-            start + s * (end - start) + side * (0 if i in (0, 2 * TURNS) else (-1) ** i) for i, s in enumerate(stops)
-        ]
-        self._path([start, *zigzag, end], "body")
+        self._path(coil(start[None], end[None], COIL, TURNS)[0], "body")
 
     def ground(self, a: ArrayLike, b: ArrayLike) -> None:
         """Draw a surface from a to b, hatched on the right of that direction."""
@@ -168,12 +164,6 @@ class Figure:
             x, y = point[0] + by[0], point[1] - by[1]
             words = SUBSCRIPT.sub(r'<tspan dy="6" font-size="13">\1</tspan>', escape(text))
             self._parts.append(f'<text class="{style}" x="{x:.1f}" y="{y:.1f}">{words}</text>')
-
-
-def circle(centre: ArrayLike, radius: float, count: int = 48) -> Vector:
-    """Return points (n, 2) of a circle, to be joined and closed."""
-    turns = np.linspace(0.0, 2 * math.pi, count, endpoint=False)
-    return np.asarray(np.asarray(centre, float) + radius * np.column_stack([np.cos(turns), np.sin(turns)]))
 
 
 def seen_from(azimuth: float, elevation: float) -> Callable[[ArrayLike], Vector]:
