@@ -32,12 +32,10 @@ def add_audit(parser: argparse.ArgumentParser) -> None:
     add("--quick", action="store_true", help="a small fixed sample")
     fairness = "do right submissions ever lose points? with N seeds (default: %(const)s)"
     asks("--fairness", nargs="?", type=positive, const=100, metavar="N", help=fairness)
-    for name, question in (
-        ("--diagnosis", "does feedback name the mistakes of wrong ones?"),
-        ("--cases", "which hidden cases catch what, and how few are needed?"),
-        ("--margins", "how far do limits lie from a careful student's errors, and from wrong physics?"),
-    ):
-        asks(name, action="store_true", default=None, help=question)
+    asks("--diagnosis", action="store_true", default=None, help="does feedback name the mistakes of wrong ones?")
+    asks("--cases", action="store_true", default=None, help="which hidden cases catch what, and how few are needed?")
+    margins = "how far do limits lie from a careful student's errors, and from wrong physics?"
+    asks("--margins", action="store_true", default=None, help=margins)
     add("--keep", type=Path, metavar="FILE", help="add the lines of --fairness there, and skip those that it has")
     seeds = "seeds of mutants and --diagnosis (default: 1) or --cases (default: 20)"
     add("--seeds", type=positive, metavar="N", help=seeds)
