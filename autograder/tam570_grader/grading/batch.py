@@ -52,12 +52,6 @@ class RunConfig:
     key: bytes | None = None  # if set, each student gets other hidden inputs, and `seed` is not used
     cluster: "Cluster | None" = None  # None: grade on this machine
 
-    def seed_of(self, submission: Submission) -> int:
-        """Return the seed of a submission's hidden inputs: derived from the key if there is one, else the class's."""
-        if self.key is None:
-            return self.seed
-        return derive(self.key, submission.student, submission.slug)
-
 
 def grade(paths: Iterable[str | Path], config: RunConfig) -> Iterator[Result]:
     """Yield the results of the submissions at these paths; see `tam570_grader.grade`."""
@@ -134,7 +128,8 @@ def lines(
 
 def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submission) -> GradeTask:
     """Return a supervisor's task, with a digest of all that the result depends on."""
-    source, seed = source_of(submission), config.seed_of(submission)
+    source = source_of(submission)
+    seed = config.seed if config.key is None else derive(config.key, submission.student, submission.slug)
     text = source.text if isinstance(source, Source) else str(source).encode()
     form = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
     note = source.note if isinstance(source, Source) else ""
