@@ -62,11 +62,6 @@ class Desk:
     def name(self, number: int) -> str:
         return f"Student {number + 1}" if self.anonymous else self.works[number].student
 
-    def entry(self, number: int, part: str) -> Entry | None:
-        """Return the stored row of a part, None if there is none."""
-        work = self.works[number]
-        return manual_points.read(self.folder).entries.get((work.student, work.slug, part))
-
     def save(self, number: int, part: str, claims: Sequence[int], points: float | None, comment: str) -> float:
         """Store and return the points of a part: `points` if given, else the sum of the ticked claims."""
         work = self.works[number]
@@ -187,13 +182,16 @@ class _Handler(BaseHTTPRequestHandler):
 
 def page(desk: Desk, number: int, nonce: str) -> str:
     """Return one student's page."""
-    work, last = desk.works[number], len(desk.works) - 1
+    work, last, entries = desk.works[number], len(desk.works) - 1, manual_points.read(desk.folder).entries
     return template("mark.html").render(
         title=f"{desk.name(number)}, {work.slug}",
         count=f"{number + 1} of {last + 1}",
         previous=max(0, number - 1),
         following=min(last, number + 1),
-        parts=[_part(desk.entry(number, letter), letter, rubric) for letter, rubric in work.parts.items()],
+        parts=[
+            _part(entries.get((work.student, work.slug, letter)), letter, rubric)
+            for letter, rubric in work.parts.items()
+        ],
         number=number,
         code=desk.code(number),
         files=[(name, name.lower().endswith(SHOWN)) for name, _ in desk.files(number)],
