@@ -23,7 +23,8 @@ PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib imp
 PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # pasted together with the code after it
 LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes of a file, of a notebook with its outputs
 OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # outputs of a cell, pictures in its text
-TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*(?:\\.[^"\\]*)*"|([\[{])|[\]}]', re.DOTALL)
+# a string without an end goes to the end of the file: the search is linear and never goes back
+TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*+(?:\\.[^"\\]*+)*+"?|([\[{])|[\]}]', re.DOTALL)
 MOST_TOKENS = 3_000_000  # read in a notebook; outputs beyond are kept
 DECLARED = re.compile(rb"(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # an encoding, declared as in PEP 263
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text

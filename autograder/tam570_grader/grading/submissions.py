@@ -28,7 +28,8 @@ NO_NAME = '/\\<>:"|?*'  # characters that some operating system forbids in names
 HIDDEN = re.compile(r"^(?:[.-]|__)[._-]*")  # prefixes that hide a folder, or make its name look like an option
 MOST_FILES = 1000  # in the folder of a student or of an assignment
 DEFINED = re.compile(rb'(?:^|"|\\n)def ', re.MULTILINE)  # a function in a module or notebook
-UNWRITTEN = re.compile(rb'["\':][\s\\rn",]*raise NotImplementedError')  # after a signature or docstring
+# after a signature or docstring; no character that begins a match may continue it, so that the search is linear
+UNWRITTEN = re.compile(rb'["\':][\s\\rn,]*raise NotImplementedError')
 COPY = re.compile(r"(.*?)[ _-]*\(?(\d{0,9})\)?", re.DOTALL)  # what a name adds to that of the assignment: words, number
 GIVEN = re.compile(r"test_.*|lab|conftest")  # modules that come with the assignments
 HANDIN = "_handin"  # the end of the name of an archive of `tam570 handin`

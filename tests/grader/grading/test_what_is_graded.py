@@ -7,7 +7,9 @@ import shutil
 import pytest
 from classes import HW08, hand_in, notebook, packed, rows
 
+from tam570.notebooks import without_outputs
 from tam570_grader import cli
+from tam570_grader.grading.submissions import is_begun
 
 NOTHING = "def skew(v): return None\n"
 CELLS = [3], ["x"], [{}], [{"cell_type": "code"}], [{"cell_type": "code", "source": [1]}], {"a": 1}, None, "code", []
@@ -106,6 +108,14 @@ def test_files_beside_a_module_are_not_run(run, tree, monkeypatch, scores, cold)
 def test_a_text_that_breaks_parsers_harms_nobody_else(grade, solution_text, text):
     assert grade(HW08, text, notebook=isinstance(text, str)).score == 0.0
     assert grade(HW08, solution_text(HW08)).score == 10.0
+
+
+def test_millions_of_quotation_marks_are_read_in_one_pass():
+    """A search that starts again at each of them would take hours."""
+    marks = b'"' * 4_000_000
+    assert not is_begun(b"#" + marks) and not is_begun(b"def f():" + marks + b" raise NotImplementedError")
+    endless = b'{"outputs": [1], "x": "' + marks.replace(b'"', b'\\"')
+    assert without_outputs(endless) == endless.replace(b"[1]", b"[]")
 
 
 def test_a_name_is_a_name_and_nothing_else(run, tmp_path, solution_text, scores):
