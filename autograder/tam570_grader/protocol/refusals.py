@@ -62,8 +62,9 @@ REFUSED = {
     # memory that no limit counts
     **{"shmget": (29, 194), "shmat": (30, 196), "semget": (64, 190), "msgget": (68, 186), "mq_open": (240, 180)},
     **{"memfd_create": (319, 279), "io_setup": (206, 0)},
-    # a zygote's submissions share the ports of its network
-    "socket": (41, 198),
+    # a zygote's submissions share the ports of its network, and its names, which a socket of a pair can take, too
+    **{"socket": (41, 198), "bind": (49, 200), "connect": (42, 203), "sendmsg": (46, 211), "sendmmsg": (307, 269)},
+    "setsockopt": (54, 208),  # with SO_PASSCRED, sending gives a name
     # messages through a file that all can read: by a lock, by watching who opens it
     **{"flock": (73, 32), "inotify_init": (253, None), "inotify_init1": (294, 26), "inotify_add_watch": (254, 27)},
     "fanotify_init": (300, 262),
@@ -86,6 +87,7 @@ ALLOWED = {  # numbers, argument (from 0), its allowed values
     "waitid": ((247, 95), 4, NOTHING),
     "getsockopt": ((55, 209), 2, SOCKET),
     "socketpair": ((53, 199), 0, UNIX),
+    "sendto": ((44, 206), 4, NOTHING),  # no address
     "futex": ((202, 98), 1, FUTEX),
 }
 SIGNALS = {
