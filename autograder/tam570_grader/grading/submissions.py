@@ -402,9 +402,11 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         count = _begun(content(entry))
         return count > 0, *copy_order(entry.name, slug), -len(entry.parts), count, entry.name
 
-    def in_order(equal: Iterable[Path]) -> list[Path]:
-        newest = sorted(equal, key=lambda entry: copy_order(entry.name, slug), reverse=True)[:MOST_NAMES]
-        return sorted(newest, key=rank, reverse=True) if newest[1:] else newest
+    def in_order(equal: list[Path]) -> list[Path]:
+        if not equal[1:]:
+            return equal
+        newest = sorted(equal, key=lambda entry: copy_order(entry.name, slug), reverse=True)
+        return sorted(newest[:MOST_NAMES], key=rank, reverse=True)
 
     def is_stub(entry: Path) -> bool:
         """Return whether nobody wrote in a file; a module may define its functions without `def`."""
@@ -412,7 +414,6 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         return bool(is_empty) and not is_begun(content(entry))
 
     named = dict.fromkeys(entry for entry in held if form(entry.name) and slug_of(entry.stem, [slug]))
-    only_stubs = all(map(is_stub, named))
     packed = [entry for entry in held if is_zip(entry.name)]
     packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
     fits: tuple[Callable[[Path], bool], ...] = (
@@ -420,12 +421,14 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         lambda entry: is_exact(entry.name, f"{slug}.ipynb"),
         lambda entry: entry in named and form(entry.name) == ".py",
         lambda entry: entry in named,
-        lambda entry: only_stubs and form(entry.name) == ".ipynb",
-        lambda entry: only_stubs and form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem),
+        lambda entry: form(entry.name) == ".ipynb" and all(map(is_stub, named)),
+        lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem) and all(map(is_stub, named)),
         lambda entry: entry in packed,
     )
-    groups = [equal for is_chosen in fits if (equal := in_order(filter(is_chosen, held)))]
-    best = next((equal for equal in groups if is_begun(content(equal[0]))), groups[0] if groups else [])
+    groups = [equal for is_chosen in fits if (equal := in_order([*filter(is_chosen, held)]))]
+    best = groups[0] if groups else []
+    if len({*itertools.chain(*groups)}) > 1:  # a lone file is not read
+        best = next((equal for equal in groups if is_begun(content(equal[0]))), best)
     others = [*best[1:], *(entry for entry in named if best and form(entry.name) == form(best[0].name))]
     others = [entry for entry in dict.fromkeys(others[:MOST_NAMES]) if entry != best[0]]
     return best[:1] + [entry for entry in others if is_begun(content(entry)) and content(entry) != content(best[0])]
