@@ -22,7 +22,8 @@ SPEED = 30.0  # m/s
 def run_check(definition, p, c):
     """Run the hidden check on a student whose special motion has these coefficients of P and C."""
     motion = np.asarray(p, float), np.asarray(c, float)
-    CHECKS[f"special_motion_of_{definition}"].run(SimpleNamespace(special_motion=lambda _: motion), None)
+    with np.errstate(all="ignore"):
+        CHECKS[f"special_motion_of_{definition}"].run(SimpleNamespace(special_motion=lambda _: motion), None)
 
 
 def turned(p, c, far=100.0):
@@ -88,6 +89,7 @@ SEEMING = {
     "both hold, P at rest": (*ON_ONE_LINE, "Definition b has"),
     "at t = 0 alone": ("b", [[0, 1, 0], [0, 0, 0], [0, 1, 0]], LINE, "differ"),
     "no property": ("c", [[0, 1, 0], [0, 0, 2]], LINE, "differ"),
+    "a product that overflows": ("b", [[0, 0, 1e299], [0, 1e300, 0]], np.outer([0, 1e10, 1e6], X), "differ"),
     "too long": ("b", np.ones((101, 3)), LINE, "more than 100"),
 }
 
@@ -164,6 +166,25 @@ def test_any_two_independent_equations_are_right_and_the_wrong_term_alone_fails(
 )
 def test_terms_that_do_not_belong_together_fail(W, changed, failed, failed_terms):
     assert failed_terms(W, **changed) == failed
+
+
+ENDLESS = "def mass_matrix(theta, **known): return [[1e200, 1e200], {}]"
+AT_UNIT_RATES = """
+def mass_matrix(theta, **known): return [[1, 2], [1, 2]]
+def velocity_terms(theta, omega, **known): return [1e200, 1e-310] if omega[1] else [-1e200, -2e-310]
+"""
+NO_TERMS = """
+def velocity_terms(theta, omega, **known): return [1, 2]
+def gravity_terms(theta, **known): return [3, 4]
+"""
+
+
+@pytest.mark.parametrize(
+    "terms", [ENDLESS.format("[1e-310, 2e-310]"), ENDLESS.format("[0, 0]"), AT_UNIT_RATES], ids=["tiny", "zero", "f"]
+)
+def test_equations_without_an_inverse_are_none(terms, grade):
+    result = grade(HW07, NO_TERMS + terms, naming=False)
+    assert {check.outcome for check in result.checks} <= {"failed", "not_run"} and result.score == 0
 
 
 @pytest.mark.parametrize(("row", "words"), [(1, "y of Newton's law for bar 1"), (5, "on bar 2"), (7, "all ten?")])

@@ -37,13 +37,12 @@ def extent(p):
 
 def violation(definition, p, c):
     """Return the size of the product that vanishes if rate = moment; whether it is zero; whether it surely is not."""
-    if definition == "b":  # -v_C x m v_P
-        first, other = derivative(c), derivative(p)
-        rounded = extent(first) * extent(other)
-    else:  # -r_{P/C} x m a_C
-        first, other = difference(p, c), derivative(derivative(c))
-        rounded = (extent(p) + extent(c)) * extent(other)
+    speed, is_b = derivative(c), definition == "b"
+    factors = (speed, derivative(p)) if is_b else (difference(p, c), derivative(speed))  # v_C x v_P or r_{P/C} x a_C
+    sizes = [np.abs(vector).max() or 1.0 for vector in factors]
+    first, other = (vector / size for vector, size in zip(factors, sizes, strict=True))  # no product may overflow
     worst, scale = np.abs(cross(first, other)).max(), extent(first) * extent(other)
+    rounded = scale if is_b else (extent(p) + extent(c)) / sizes[0] * extent(other)
     holds, fails = worst <= min(IDENTITY * rounded, FAR_OFF * scale), worst > max(CERTAIN * scale, IDENTITY * rounded)
     return worst / (scale or 1.0), holds, fails
 

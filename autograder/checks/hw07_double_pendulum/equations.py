@@ -105,8 +105,10 @@ class Equations:
         ]
         columns = np.concatenate([second, -first], axis=2) / np.reshape(k, (-1, 1, 1))
         theta = np.array([case.args[0] for case in self._cases])
-        columns[np.abs(np.sin(theta[:, 0] - theta[:, 1])) < OBLIQUE] = np.nan
-        return _times_inverse(np.broadcast_to(np.eye(2), columns.shape), columns)
+        unknown = np.abs(np.sin(theta[:, 0] - theta[:, 1])) < OBLIQUE
+        columns[unknown] = np.eye(2)
+        back = _times_inverse(np.broadcast_to(np.eye(2), columns.shape), columns)
+        return None if back is None else np.where(unknown[:, None, None], np.nan, back)
 
     def _holds(self, name: str, back: Array) -> bool:
         """Return whether a term, turned back by W^-1, is Lagrange's wherever W^-1 is known."""
@@ -115,7 +117,7 @@ class Equations:
             return False
         error = np.abs(back @ mine - _columns(self.lagranges(name))).max((1, 2))
         definite = np.isfinite(back).all((1, 2))
-        return bool((error[definite] <= self._within * self.sizes(name)[definite]).all())
+        return bool(definite.any() and (error[definite] <= self._within * self.sizes(name)[definite]).all())
 
     def _term(self, name: str) -> Array | None:
         """Return a term of the student's; None if the function gives none."""
@@ -141,8 +143,11 @@ def _columns(results: Any) -> Array:
 
 
 def _times_inverse(first: Array, second: Array) -> Array | None:
-    """Return first second^-1 of each case, NaN if second is; None if two rows of second are dependent in a case."""
-    rows = np.linalg.norm(second, axis=2).prod(axis=1)
-    if (np.abs(np.linalg.det(second)) <= DEPENDENT * rows).any():
+    """Return first second^-1 of each case; None if two rows of second are dependent in a case, or have no inverse."""
+    sizes = np.abs(second).max(axis=2, keepdims=True)
+    rows = second / sizes  # before anything is squared, which may overflow
+    lengths = np.linalg.norm(rows, axis=2).prod(axis=1)
+    if not (np.abs(np.linalg.det(rows)) > DEPENDENT * lengths).all():  # nor if they are NaN
         return None
-    return first @ np.linalg.inv(second)
+    inverse = first @ (np.linalg.inv(rows) / np.swapaxes(sizes, 1, 2))
+    return inverse if np.isfinite(inverse).all() else None
