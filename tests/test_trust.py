@@ -43,7 +43,7 @@ def sentences_told(slug):
     """Return an upper bound on the number of sentences that can name a mistake."""
     folder, solution = assignments.checks_folder(COURSE, slug), (COURSE / "solutions" / f"{slug}.py").read_text()
     texts = "".join(path.read_text() for path in folder.glob("*.py"))
-    causes = len(mistakes(folder)) + sum(map(len, mutants_of(solution).values())) + len(vars(builtins))
+    causes = len(mistakes(folder)) + len([*mutants_of(solution)]) + len(vars(builtins))
     return causes + len(re.findall(r"label|hint|fail", texts))
 
 

@@ -57,8 +57,8 @@ def mutants(slug: str, source: str) -> list[SolutionMutant]:
     by_text: dict[str, SolutionMutant] = {}
     for function in (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)):
         count: collections.Counter[tuple[str, str]] = collections.Counter()
-        for node, operator, change in changed_expressions(function):
-            was, now = ast.unparse(node), ast.unparse(change)
+        for node, operator, edit in changed_expressions(function):
+            was, now = ast.unparse(node), ast.unparse(edit.now)
             if was == now or (text := replaced(source, node, now)) in by_text:
                 continue
             count[was, now] += 1

@@ -18,7 +18,8 @@ from tam570_grader.diagnosis.mistakes import (
     same,
     tolerance_of,
 )
-from tam570_grader.diagnosis.search import KINDS, general, wrong_arguments
+from tam570_grader.diagnosis.mutants import OTHER_FUNCTION, SINE_AND_COSINE
+from tam570_grader.diagnosis.search import general, wrong_arguments
 
 
 def diagnose(  # noqa: PLR0913  what is known of a failed check
@@ -74,7 +75,7 @@ def _as_in(cause: Cause, earlier: Sequence[Cause], *, may_follow: bool) -> Cause
 
 def _told(cause: Cause) -> str:
     """Return the message; instead of one of sine and cosine wrong, both exchanged, as in a function that has both."""
-    single, both = KINDS["another function"].split("{}"), KINDS["sine and cosine"].split("{}")
+    single, both = OTHER_FUNCTION.split("{}"), SINE_AND_COSINE.split("{}")
     return functools.reduce(lambda text, words: text.replace(*words), zip(single, both, strict=True), cause.message)
 
 

@@ -1,101 +1,194 @@
-"""Slips in the syntax tree of a module that make it wrong: the audit grades them, and diagnosis searches them.
+"""Mutants of a module: slips in its syntax tree that make it wrong. The audit grades them, and diagnosis searches them.
 
 The operators are the mistakes that people make with formulas: a sign, a factor of two, a term dropped or counted
 twice, sine for cosine, swapped arguments or indices, another exponent, a transposed product, a missing copy, the
-wrong branch at the special case.
+wrong branch at the special case. Each operator yields its edits of an expression, with the words for students. To add
+one, add a `rule` to `MORE`, or to `OPERATORS` if the audit is to make its mutants, too.
 """
 
 import ast
 import copy
 import functools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 from functools import partial
-from itertools import combinations, product
-from typing import TypeVar
+from itertools import combinations, pairwise, permutations, product
+from typing import Any, TypeGuard, TypeVar
 
 from tam570.checking.transforms import LENGTHS
 
 COUNTERPARTS = {
-    "sin": "cos",
-    "cos": "sin",
-    "sinh": "cosh",
-    "cosh": "sinh",
-    "tan": "sin",
-    "exp": "expm1",
-    "arctan2": "arcsin",
-    "min": "max",
-    "max": "min",
-    "minimum": "maximum",
-    "maximum": "minimum",
+    **dict(sin="cos", cos="sin", sinh="cosh", cosh="sinh", tan="sin", exp="expm1", arctan2="arcsin"),
+    **dict(min="max", max="min", minimum="maximum", maximum="minimum"),
 }
-OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {
-    ast.Add: ast.Sub,
-    ast.Sub: ast.Add,
-    ast.Mult: ast.Div,
-    ast.Div: ast.Mult,
-    ast.Lt: ast.LtE,
-    ast.LtE: ast.Lt,
-    ast.Gt: ast.GtE,
-    ast.GtE: ast.Gt,
-    ast.Eq: ast.NotEq,
-    ast.NotEq: ast.Eq,
-    ast.And: ast.Or,
-    ast.Or: ast.And,
-}
-Node = TypeVar("Node", bound=ast.AST)
-Operator = Callable[[ast.expr], Iterator[ast.expr]]
+PAIRS = (ast.Lt, ast.LtE), (ast.Gt, ast.GtE), (ast.Eq, ast.NotEq), (ast.And, ast.Or)
+OPPOSITES: dict[type[ast.AST], type[ast.AST]] = {first: other for pair in PAIRS for first, other in (pair, pair[::-1])}
 SYMMETRIC = {"dot", "hypot", "max", "maximum", "min", "minimum", "multiply"}  # functions of two arguments in any order
+MOST_ALIKE = 3  # names in a group; more names, as in a state, have different meanings
+RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
+
+# Words of several operators, or of more than one module
+SIGN = "the sign of a term{} is reversed"
+MISSING_TERM, MISSING_FACTOR = "a term{} is missing", "a factor{} is missing"
+TWICE_OR_HALF = "a number{} is twice or half the right one"
+EXCHANGED = "two quantities{} are exchanged, or their signs reversed"
+COMPONENT = "the wrong component is used{}"
+OTHER_FUNCTION = "the wrong function is used{}, such as sine for cosine"
+SINE_AND_COSINE = "sine and cosine{} are exchanged"
+TRANSPOSED = "matrices{} are multiplied in the wrong order, or one is transposed"
+EVERY_HALF = "every division by 2 is missing"
+
+
+@dataclass(frozen=True)
+class Edit:
+    """What an operator makes of an expression, and what a student reads of it.
+
+    now       : the expression in its place
+    words     : what the student did; {} becomes "with" the names in the term; "": only the audit makes this edit
+    term      : the term that the words are about; None: the whole expression
+    exact     : better words if the term is short: {term} as a student may have written it, and the names {beside} it
+    rank      : students read of it only if no mutant of a lower rank explains the calls
+    gives_way : 1, 2, 3: if mutants with other words explain the calls, too, these are named; in this order; 0: never
+    """
+
+    now: ast.expr
+    words: str = ""
+    term: ast.expr | None = None
+    exact: str = ""
+    rank: int = 1
+    gives_way: int = 0
 
 
 @dataclass(frozen=True)
 class Mutant:
-    """A mutant of a function: its operator, the expressions before and after, and the function's changed source.
+    """A mutant of a function that has words.
 
-    product : the largest product that has the expression as a factor
+    term    : the term that the words are about
+    product : the largest product that has the changed expression as a factor, or this expression
+    text    : the changed source of the function
     """
 
-    operator: str
-    was: ast.expr
-    now: ast.expr
-    text: str
+    function: str
+    edit: Edit
+    term: ast.expr
     product: ast.expr
+    text: str
 
 
-def mutants_of(source: str) -> dict[str, list[Mutant]]:
-    """Return the mutants of each function of a module: those of `OPERATORS`, which the audit grades, and of `MORE`."""
-    lines, mutants = source.splitlines(keepends=True), dict[str, list[Mutant]]()
+Node = TypeVar("Node", bound=ast.AST)
+Operator = Callable[[ast.expr], Iterable[Edit]]
+Code = Any  # a part of a syntax tree: a node, a list of nodes, or a name
+Words = str | Callable[[ast.expr], str]  # for any term, or of a term
+
+
+def rule(right: str, wrong: str, words: Words = "", term: str = "", rank: int = 1, gives_way: int = 0) -> Operator:
+    """Return the operator that yields the wrong code in place of the right one; capital letters are any expressions.
+
+    The same letter is the same expression, NUMBER a number, and IT the whole expression. A function, such as `sin`, may
+    be that of a module, which it keeps; `np` is any module.
+
+    words, term, rank, gives_way : see `Edit`; the term is a letter, the words may depend on it
+    """
+    right_code, wrong_code = (ast.parse(code, mode="eval").body for code in (right, wrong))
+    node_type = type(right_code), type(getattr(right_code, "op", None))
+
+    def edits(node: ast.expr) -> tuple[Edit, ...]:
+        found = {"IT": node}
+        if node_type != (type(node), type(getattr(node, "op", None))) or not _has_form(right_code, node, found):
+            return ()
+        about = found[term or "IT"]
+        text = words if isinstance(words, str) else words(about)
+        return (Edit(_filled(wrong_code, found), text, about, rank=rank, gives_way=gives_way),)
+
+    return edits
+
+
+def _has_form(form: Code, part: Code, found: dict[str, ast.expr]) -> bool:
+    """Return whether a part of the code has this form; put the expressions at the form's names into `found`."""
+    if isinstance(form, ast.Name):
+        if not isinstance(part, ast.expr):
+            return False
+        first = found.setdefault(form.id, part)
+        if form.id == "NUMBER":
+            return isinstance(part, ast.Constant)
+        is_any = form.id == "np" or form.id.isupper()
+        return first is part or ast.dump(first) == ast.dump(part) if is_any else _name_of(part) == form.id
+    if isinstance(form, ast.Constant):
+        return isinstance(part, ast.Constant) and form.value == part.value
+    if type(form) is not type(part):
+        return False
+    if isinstance(form, list):
+        return len(form) == len(part) and all(_has_form(*pair, found) for pair in zip(form, part, strict=True))
+    if isinstance(form, ast.AST):
+        names = (name for name in form._fields if name not in ("ctx", "keywords"))
+        return all(_has_form(getattr(form, name), getattr(part, name), found) for name in names)
+    return bool(form == part)  # the name of an attribute
+
+
+def _filled(form: Code, found: Mapping[str, ast.expr]) -> Code:
+    """Return the form with the found expressions in place of its names."""
+    if isinstance(form, ast.Name):
+        return found.get(form.id, form)
+    if isinstance(form, list):
+        return [_filled(part, found) for part in form]
+    if isinstance(form, ast.AST):
+        return _with(form, **{name: _filled(part, found) for name, part in ast.iter_fields(form)})
+    return form
+
+
+def mutants_of(source: str) -> Iterator[Mutant]:
+    """Yield the mutants of a module's functions that have words: by the audit's operators first, then by others."""
+    lines, components = source.splitlines(keepends=True), unpacked(source)
     functions = [node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef)]
     public = {function.name for function in functions if function.name[0] != "_"}
     for function in functions:
         before = function.lineno - 1
         text = "\n" * before + "".join(lines[before : function.end_lineno])  # so that the lines keep their numbers
         products = _products(function)
-        mutants[function.name] = [
-            Mutant(operator, node, mutant, replaced(text, node, ast.unparse(mutant)), products.get(id(node), node))
-            for node, operator, mutant in (
-                *changed_expressions(function),
-                *changed_expressions(function, MORE | _of_quantities(function, public)),
-            )
-        ]
-        mutants[function.name] += _everywhere(function)
-    return mutants
+        others = (*MORE, *_of_quantities(function, public, components))
+        for node, _, edit in (*changed_expressions(function), *changed_expressions(function, others)):
+            if edit.words:
+                changed = replaced(text, node, ast.unparse(edit.now))
+                yield Mutant(function.name, edit, edit.term or node, products.get(id(node), node), changed)
+        yield from _everywhere(function)
 
 
 def _products(function: ast.FunctionDef) -> dict[int, ast.expr]:
     """Return the largest product that contains each factor, by the factor's id."""
     products: dict[int, ast.expr] = {}
     for node in ast.walk(function):  # from the outside in
-        if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div | ast.Pow):
+        if _is_operation(node, ast.Mult, ast.Div, ast.Pow):
             for factor in (node.left, node.right):
                 products[id(factor)] = products.get(id(node), node)
     return products
 
 
-def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Operator"]:
+def unpacked(source: str) -> dict[str, str]:
+    """Return {part: argument} of unpacked arguments: `m1, m2 = masses`; public functions overwrite helpers."""
+    functions = (node for node in ast.parse(source).body if isinstance(node, ast.FunctionDef))
+    return {
+        part.id: value.id
+        for function in sorted(functions, key=lambda function: function.name[0] != "_")
+        for target, value in assigned(function)
+        if isinstance(value, ast.Name) and isinstance(target, ast.Tuple)
+        for part in target.elts
+        if isinstance(part, ast.Name)
+    }
+
+
+def assigned(function: ast.FunctionDef) -> Iterator[tuple[ast.expr, ast.expr]]:
+    """Yield (target, value) of each assignment; of tuples on both sides, part by part."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            targets, values = (getattr(side, "elts", [side]) for side in (node.targets[0], node.value))
+            is_by_parts = len(targets) == len(values)
+            yield from zip(targets, values, strict=True) if is_by_parts else [(node.targets[0], node.value)]
+
+
+def _of_quantities(function: ast.FunctionDef, public: Set[str], components: Mapping[str, str]) -> tuple[Operator, ...]:
     """Return the operators that depend on the function's other names, such as one quantity for another."""
-    inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
+    inputs = _inputs(function)
     groups, raw, computed = [inputs.intersection(LENGTHS)], dict[str, str](), set[int]()
     for node in ast.walk(function):
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
@@ -112,101 +205,121 @@ def _of_quantities(function: ast.FunctionDef, public: Set[str]) -> dict[str, "Op
                     inputs |= {vector} - {""}
     groups = [group for group in groups if 2 <= len(group) <= MOST_ALIKE]
     raw = {name: argument for name, argument in raw.items() if argument in inputs - {name}}
-    return {
-        "another quantity": partial(_others_of_a_kind, groups=groups),
-        "two exchanged": partial(_exchanged_in_a_sum, groups=groups),
-        "sine and cosine": partial(_exchanged_in_a_sum, groups=()),
-        "as given": partial(_as_given, raw=raw),
-        "ignored": partial(_ignored, computed=computed),
-        "a multiple": partial(_multiples, computed=computed, public=public),
-        "a factor of a term": partial(_other_powers, names=names_used(function) & {"mass", "curvature", *LENGTHS}),
-    }
+    return (
+        partial(_others_of_a_group, groups=groups, components=components),
+        partial(_exchanged_in_a_sum, groups=groups),
+        _sine_and_cosine_in_a_sum,
+        partial(_as_given, raw=raw),
+        partial(_ignored, computed=computed),
+        partial(_multiples, computed=computed, public=public),
+        partial(_other_powers, names=names_used(function) & {"mass", "curvature", *LENGTHS}),
+    )
 
 
-def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[ast.expr]:
+def _inputs(function: ast.FunctionDef) -> set[str]:
+    return {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
+
+
+def _as_given(node: ast.expr, raw: Mapping[str, str]) -> Iterator[Edit]:
     """Yield the argument in place of a name that is computed from it."""
-    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load) and node.id in raw:
-        yield ast.Name(raw[node.id], ast.Load())
+    if _is_read(node) and node.id in raw:
+        argument = ast.Name(raw[node.id], ast.Load())
+        yield Edit(argument, f"one term uses {argument.id} as it is given", argument)
 
 
-def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[ast.expr]:
+def _ignored(node: ast.expr, computed: Set[int]) -> Iterator[Edit]:
     """Yield zero in place of a product that is assigned to a name."""
-    if id(node) in computed and isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
-        yield ast.Constant(0.0)
+    if id(node) in computed and _is_operation(node, ast.Mult):
+        exact = "{term} is ignored, as if it were zero"
+        # the quantity may be a missing term
+        yield Edit(ast.Constant(0.0), "a quantity{} is ignored, as if it were zero", exact=exact, gives_way=3)
 
 
-def _multiples(node: ast.expr, computed: Set[int], public: Set[str]) -> Iterator[ast.expr]:
+def _multiples(node: ast.expr, computed: Set[int], public: Set[str]) -> Iterator[Edit]:
     """Yield the result of another public function, if it is assigned to a name, doubled and halved."""
     if id(node) in computed and isinstance(node, ast.Call) and _name_of(node.func) in public:
-        yield from (_times(2, node), _times(0.5, node))
+        for number in (2, 0.5):
+            words = f"the result of {ast.unparse(node.func)} is multiplied by {number}"
+            yield Edit(_times(number, node), words, gives_way=3)
 
 
-def _others_of_a_kind(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
+def _others_of_a_group(node: ast.expr, groups: Sequence[Set[str]], components: Mapping[str, str]) -> Iterator[Edit]:
     """Yield the other names of a group: C in place of A if `A, C = inertia`, or the offset in place of the radius."""
-    if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
-        others = {other for group in groups if node.id in group for other in group - {node.id}}
-        yield from (ast.Name(other, ast.Load()) for other in sorted(others))
+    if _is_read(node):
+        for other in sorted({other for group in groups if node.id in group for other in group - {node.id}}):
+            words = f"{other} is used for {node.id}" if node.id in LENGTHS else "the wrong quantity is used{}"
+            if node.id in components:
+                words = f"the wrong component of {components[node.id]} is used"
+            yield Edit(ast.Name(other, ast.Load()), words)
 
 
-def _other_powers(node: ast.expr, names: Set[str]) -> Iterator[ast.expr]:
+def _other_powers(node: ast.expr, names: Set[str]) -> Iterator[Edit]:
     """Yield the sum with one of its two terms multiplied or divided by a mass, a curvature or a length."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        for side, name, op in product(("left", "right"), sorted(names), (ast.Mult(), ast.Div())):
-            yield _with(node, **{side: ast.BinOp(getattr(node, side), op, ast.Name(name, ast.Load()))})
+    if _is_operation(node, ast.Add, ast.Sub):
+        words = {ast.Mult: "a term{{}} has a factor {} too many", ast.Div: "a term{{}} lacks a factor {}"}
+        for side, name, op in product(("left", "right"), sorted(names), words):
+            term = getattr(node, side)
+            now = _with(node, **{side: ast.BinOp(term, op(), ast.Name(name, ast.Load()))})
+            yield Edit(now, words[op].format(name), term, rank=2)
 
 
-def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[ast.expr]:
-    """Yield p cos + q sin in place of p sin + q cos, for calls or for names of one group."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        names, calls = names_used(node), {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
-        pairs = [pair for group in groups for pair in combinations(sorted(group & names), 2)]
-        for first, other in pairs if groups else [("sin", "cos")] if {"sin", "cos"} <= calls else []:
-            yield _Renamed({first: other, other: first}).visit(copy.deepcopy(node))
+def _exchanged_in_a_sum(node: ast.expr, groups: Sequence[Set[str]]) -> Iterator[Edit]:
+    """Yield p a + q b in place of p b + q a for two names of a group."""
+    if _is_operation(node, ast.Add, ast.Sub):
+        names = names_used(node)
+        for pair in (pair for group in groups for pair in combinations(sorted(group & names), 2)):
+            yield Edit(_with_exchanged(node, *pair), EXCHANGED, gives_way=2)
 
 
-class _Renamed(ast.NodeTransformer):
-    """Renames variables and functions of modules."""
+def _sine_and_cosine_in_a_sum(node: ast.expr) -> Iterator[Edit]:
+    """Yield p cos + q sin in place of p sin + q cos."""
+    if _is_operation(node, ast.Add, ast.Sub):
+        calls = {_name_of(each.func) for each in ast.walk(node) if isinstance(each, ast.Call)}
+        if {"sin", "cos"} <= calls:
+            yield Edit(_with_exchanged(node, "sin", "cos"), SINE_AND_COSINE)
 
-    def __init__(self, names: Mapping[str, str]) -> None:
-        self.names = names
 
-    def visit_Name(self, node: ast.Name) -> ast.expr:  # noqa: N802
-        return _with(node, id=self.names.get(node.id, node.id))
-
-    def visit_Attribute(self, node: ast.Attribute) -> ast.expr:  # noqa: N802
-        return _with(node, value=self.visit(node.value), attr=self.names.get(node.attr, node.attr))
+def _with_exchanged(node: ast.expr, first: str, other: str) -> ast.expr:
+    """Return a copy of an expression with two variables, or functions of modules, exchanged."""
+    names, changed = {first: other, other: first}, copy.deepcopy(node)
+    for inner in ast.walk(changed):
+        if isinstance(inner, ast.Name):
+            inner.id = names.get(inner.id, inner.id)
+        elif isinstance(inner, ast.Attribute):
+            inner.attr = names.get(inner.attr, inner.attr)
+    return changed
 
 
 def _everywhere(function: ast.FunctionDef) -> Iterator[Mutant]:
     """Yield mutants with a slip in every place: each sine a cosine, each square a product; or only of one angle."""
     expressions = [node for node in ast.walk(function) if isinstance(node, ast.expr)]
-    calls = [node for node in expressions if isinstance(node, ast.Call) and len(node.args) == 1]
-    angles = {ast.dump(node.args[0]) for node in calls if _name_of(node.func) in ("sin", "cos")}
-    of_angles: list[tuple[str, Operator]] = [
-        ("sine and cosine", partial(_sines_and_cosines, ("sin", "cos"), angle)) for angle in (None, *sorted(angles))
-    ]
-    for name, operator in (*EVERYWHERE, *of_angles):
-        if not any(map(any, map(operator, expressions))):  # faster than to copy the function first
-            continue
-        changer = _InEveryPlace(operator)
+    angles = {ast.dump(node.args[0]) for node in expressions if _is_call(node, ("sin", "cos"))}
+    of_angles: list[Operator] = [partial(_sines_and_cosines, angle=angle) for angle in (None, *sorted(angles))]
+    for operators in (*EVERYWHERE, *((operator,) for operator in of_angles)):
+        if not any(any(operator(node)) for node in expressions for operator in operators):
+            continue  # faster than to copy the function first
+        changer = _InEveryPlace(operators)
         changed = changer.visit(function)
         if len(changer.places) > 1:
             places = ast.Tuple(changer.places)
-            yield Mutant(name, places, places, ast.unparse(ast.fix_missing_locations(changed)), places)
+            text = ast.unparse(ast.fix_missing_locations(changed))
+            yield Mutant(function.name, changer.edits[0], places, places, text)
 
 
 class _InEveryPlace(ast.NodeTransformer):
-    """Applies an operator to all expressions of a copy."""
+    """Applies the first operator that fits to each expression of a copy."""
 
-    def __init__(self, operator: "Operator") -> None:
-        self.operator, self.places = operator, list[ast.expr]()
+    def __init__(self, operators: Sequence[Operator]) -> None:
+        self.operators, self.places, self.edits = operators, list[ast.expr](), list[Edit]()
 
     def visit(self, node: ast.AST) -> ast.AST:
         lists = {name: [*field] for name, field in ast.iter_fields(node) if isinstance(field, list)}
         node = self.generic_visit(_with(node, **lists))
-        if isinstance(node, ast.expr) and (change := next(self.operator(node), None)):
-            self.places.append(node)
-            return change
+        if isinstance(node, ast.expr):
+            for edit in (edit for operator in self.operators for edit in operator(node)):
+                self.edits.append(edit)
+                self.places.append(node)
+                return edit.now
         return node
 
 
@@ -249,197 +362,156 @@ def replaced(source: str, node: ast.expr, text: str) -> str:
 
 
 def changed_expressions(
-    function: ast.FunctionDef, chosen: Mapping[str, Operator] | None = None
-) -> Iterator[tuple[ast.expr, str, ast.expr]]:
-    """Yield each expression of a body, an operator's name and its result; leave out messages and tolerances.
+    function: ast.FunctionDef, chosen: tuple[Operator, ...] = ()
+) -> Iterator[tuple[ast.expr, str, Edit]]:
+    """Yield each expression of a body, an operator's name and its edit; leave out messages and tolerances.
 
-    chosen : operators other than `OPERATORS`; these do not change constants in an index
+    chosen : operators other than those of the audit; they have no names, and do not change constants in an index
     """
-    spared = set[int]()
+    spared, bases = set[int](), set[int]()
     for node in ast.walk(function):
         if isinstance(node, ast.Raise) or (isinstance(node, ast.keyword) and node.arg == "rtol"):
             spared |= {id(inner) for inner in ast.walk(node)}
         if isinstance(node, ast.Subscript) and chosen:
             spared |= {id(inner) for inner in ast.walk(node.slice) if isinstance(inner, ast.Constant)}
-    inputs = {argument.arg for argument in (*function.args.args, *function.args.kwonlyargs)}
-    operators = chosen or {**OPERATORS, "a missing copy": partial(_copies, inputs=inputs)}
+        if _is_operation(node, ast.Pow):
+            bases.add(id(node.left))
+    operators: dict[str, tuple[Operator, ...]] = {"": chosen}
+    if not chosen:
+        counterparts, copies = partial(_counterparts, bases=bases), partial(_copies, inputs=_inputs(function))
+        operators = {**OPERATORS, "another function": (counterparts,), "a missing copy": (copies,)}
     for statement in function.body:
         for node in ast.walk(statement):
             if isinstance(node, ast.If) and not chosen:
-                yield from ((node.test, "a branch", ast.Constant(always)) for always in (True, False))
+                yield from ((node.test, "a branch", Edit(ast.Constant(always))) for always in (True, False))
             if isinstance(node, ast.expr) and id(node) not in spared:
-                for name, operator in operators.items():
-                    for change in operator(node):
-                        yield node, name, change
+                for name, group in operators.items():
+                    yield from ((node, name, edit) for operator in group for edit in operator(node))
 
 
-def _signs(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub | ast.Not):
-        yield node.operand
+def _missing(term: ast.expr) -> str:
+    """Return the words for a missing term, which name a number, or the first time."""
+    text = ast.unparse(term)
+    is_number = isinstance(term, ast.Constant) or text == "t[0]"
+    return f"the term {text.removesuffix('.0')} is missing" if is_number else MISSING_TERM
 
 
-def _operations(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a - b, a, b and a + 2 b in place of a + b; a / b of a * b; B @ A and A.T @ B of A @ B."""
-    if not isinstance(node, ast.BinOp):
-        return
-    if type(node.op) in OPPOSITES:
-        yield _with(node, op=OPPOSITES[type(node.op)]())
-    if isinstance(node.op, ast.Add | ast.Sub):
-        yield from (node.left, node.right, _with(node, right=_times(2, node.right)))
-    if isinstance(node.op, ast.MatMult):
-        yield _with(node, left=node.right, right=node.left)
-        yield _with(node, left=ast.Attribute(node.left, "T", ast.Load()))
-
-
-def _exponents(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and isinstance(node.right, ast.Constant):
+def _exponents(node: ast.expr) -> Iterator[Edit]:
+    if _is_operation(node, ast.Pow) and isinstance(node.right, ast.Constant):
         power = ast.literal_eval(node.right)
-        yield from (_with(node, right=ast.Constant(other)) for other in (power + 1, power - 1))
+        for other in (power + 1, power - 1):
+            yield Edit(_with(node, right=ast.Constant(other)), "an exponent{} is one too large or too small")
 
 
-def _factors(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the number doubled and, for a float, halved."""
-    if (
-        isinstance(node, ast.Constant)
-        and isinstance(node.value, int | float)
-        and not isinstance(node.value, bool)
-        and node.value
-    ):
-        yield ast.Constant(2 * node.value)
-        if isinstance(node.value, float):
-            yield ast.Constant(node.value / 2)
+def _factors(node: ast.expr) -> Iterator[Edit]:
+    """Yield the number doubled and, for a float, halved; instead, its term may count twice."""
+    if number := _number(node):
+        yield Edit(ast.Constant(2 * number), TWICE_OR_HALF, gives_way=2)
+        if isinstance(number, float):
+            yield Edit(ast.Constant(number / 2), TWICE_OR_HALF, gives_way=2)
 
 
-def _counterparts(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a call of the counterpart, such as cos in place of sin."""
+def _counterparts(node: ast.expr, bases: Set[int] = frozenset(), words: str = OTHER_FUNCTION) -> Iterator[Edit]:
+    """Yield a call of the counterpart, such as cos in place of sin.
+
+    bases : ids of the expressions to which the function applies an exponent
+    """
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in COUNTERPARTS:
-        yield _with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr]))
+        numbers = [part.value for part in ast.walk(node) if isinstance(part, ast.Constant)]
+        if id(node) in bases and numbers in ([2], [0.5]):
+            words = "a cosine{} has the wrong sign"  # 2 sin(x/2)^2 is 1 - cos x
+        yield Edit(_with(node, func=_with(node.func, attr=COUNTERPARTS[node.func.attr])), words)
 
 
-def _sines_and_cosines(names: Sequence[str], angle: str | None, node: ast.expr) -> Iterator[ast.expr]:
+def _sines_and_cosines(
+    node: ast.expr, names: Sequence[str] = ("sin", "cos"), angle: str | None = None, words: str = SINE_AND_COSINE
+) -> Iterator[Edit]:
     """Yield cosine in place of sine, or sine in place of cosine, of one angle or, for None, of any."""
-    if not isinstance(node, ast.Call) or _name_of(node.func) not in names or len(node.args) != 1:
-        return
-    if angle in (None, ast.dump(node.args[0])):
-        yield from _counterparts(node)
+    if _is_call(node, names) and angle in (None, ast.dump(node.args[0])):
+        yield from _counterparts(node, words=words)
 
 
-def _copies(node: ast.expr, inputs: set[str]) -> Iterator[ast.expr]:
+def _copies(node: ast.expr, inputs: set[str]) -> Iterator[Edit]:
     """Yield the input in place of its copy."""
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
         if node.func.attr == "array" and len(node.args) == 1 and getattr(node.args[0], "id", None) in inputs:
-            yield node.args[0]
+            yield Edit(node.args[0])
         if node.func.attr == "copy" and not node.args:
-            yield node.func.value
+            yield Edit(node.func.value)
 
 
-def _arguments(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the call or tuple with two neighbouring arguments or elements exchanged."""
-    if isinstance(node, ast.Call) and _name_of(node.func) in SYMMETRIC:
-        return
-    for field in ("args", "elts"):
-        parts = getattr(node, field, [])
-        if isinstance(node, ast.Lambda) or any(isinstance(part, ast.Slice) for part in parts):
-            continue  # A[:, 1] is not a tuple
-        if isinstance(node, ast.Call | ast.Tuple | ast.List) and isinstance(getattr(node, "ctx", ast.Load()), ast.Load):
-            for i in range(len(parts) - 1):
-                if not _equal(parts[i], parts[i + 1]):
-                    yield _with(node, **{field: [*parts[:i], parts[i + 1], parts[i], *parts[i + 2 :]]})
+def _arguments(node: ast.expr) -> Iterator[Edit]:
+    """Yield the call, list or tuple with two neighbouring arguments or elements exchanged."""
+    field, parts = "elts", _elements(node)
+    if isinstance(node, ast.Call) and _name_of(node.func) not in SYMMETRIC:
+        field, parts = "args", node.args
+    for i, (first, second) in enumerate(pairwise(parts)):
+        if not _equal(first, second):
+            now = _with(node, **{field: [*parts[:i], second, first, *parts[i + 2 :]]})
+            yield Edit(now, EXCHANGED, gives_way=2)
 
 
 def _equal(first: ast.expr, other: ast.expr) -> bool:
     return isinstance(first, ast.Constant) and isinstance(other, ast.Constant) and first.value == other.value
 
 
-def _indices(node: ast.expr) -> Iterator[ast.expr]:
+def _indices(node: ast.expr) -> Iterator[Edit]:
     if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and isinstance(node.ctx, ast.Load):
         index = node.slice.value
         if isinstance(index, int):
-            yield _with(node, slice=ast.Constant(index - 1 if index else 1))
+            yield Edit(_with(node, slice=ast.Constant(index - 1 if index else 1)), COMPONENT)
 
 
-def _transposes(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Attribute) and node.attr == "T":
-        yield node.value
-
-
-def _conditions(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield <= in place of <, or in place of and; each branch in place of a conditional expression."""
+def _conditions(node: ast.expr) -> Iterator[Edit]:
+    """Yield <= in place of <, and or in place of and."""
     if isinstance(node, ast.Compare) and len(node.ops) == 1 and type(node.ops[0]) in OPPOSITES:
-        yield _with(node, ops=[OPPOSITES[type(node.ops[0])]()])
+        yield Edit(_with(node, ops=[OPPOSITES[type(node.ops[0])]()]))
     if isinstance(node, ast.BoolOp):
-        yield _with(node, op=OPPOSITES[type(node.op)]())
-    if isinstance(node, ast.IfExp):
-        yield from (node.body, node.orelse)
+        yield Edit(_with(node, op=OPPOSITES[type(node.op)]()))
 
 
-OPERATORS: dict[str, Operator] = {
-    "a sign": _signs,
-    "a term or product": _operations,
-    "an exponent": _exponents,
-    "a factor": _factors,
-    "another function": _counterparts,
-    "swapped arguments": _arguments,
-    "an index": _indices,
-    "a transpose": _transposes,
-    "a condition": _conditions,
-}
+def _missing_factors(node: ast.expr) -> Iterator[Edit]:
+    if _is_operation(node, ast.Mult, ast.MatMult, ast.Div):
+        divides = isinstance(node.op, ast.Div)
+        exact = f"the {'division by' if divides else 'factor'} {{term}} is missing{{beside}}"
+        for now, factor in ((node.left, node.right), (node.right, node.left))[: 1 if divides else 2]:
+            if isinstance(factor, ast.Constant) and factor.value in (2, 0.5):
+                yield Edit(now, TWICE_OR_HALF, factor, exact, gives_way=2)
+            else:
+                yield Edit(now, MISSING_FACTOR, factor, exact)
 
 
-def _missing_factors(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.MatMult | ast.Div):
-        yield node.left
-        if not isinstance(node.op, ast.Div):
-            yield node.right
+def _components(node: ast.expr) -> Iterator[Edit]:
+    """Yield the list or tuple with one computed element of the opposite sign, or replaced by zero."""
+    elements = _elements(node)
+    for k, element in enumerate(elements):
+        if isinstance(element, ast.BinOp | ast.Call):
+            reversed_ = ast.UnaryOp(ast.USub(), element)
+            yield Edit(_with(node, elts=[*elements[:k], reversed_, *elements[k + 1 :]]), SIGN, element)
+        if not isinstance(element, ast.Constant | ast.Name | ast.Starred | ast.Tuple | ast.List):
+            zero = _times(0, element)
+            yield Edit(_with(node, elts=[*elements[:k], zero, *elements[k + 1 :]]), MISSING_TERM, element)
 
 
-def _half_terms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a + b/2 and a/2 + b in place of a + b."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        yield from (_with(node, right=_times(0.5, node.right)), _with(node, left=_times(0.5, node.left)))
-
-
-def _other_indices(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the third component in place of the first or second; `_indices` yields the others."""
-    if isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant) and node.slice.value in (0, 1):
-        yield _with(node, slice=ast.Constant(2))
-
-
-def _first_signs(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
-        yield _with(node, left=ast.UnaryOp(ast.USub(), node.left))
-
-
-def _signs_of_components(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the list or tuple with the sign of one computed element reversed."""
-    if isinstance(node, ast.List | ast.Tuple) and isinstance(node.ctx, ast.Load):
-        for k, component in enumerate(node.elts):
-            if isinstance(component, ast.BinOp | ast.Call) and not any(
-                isinstance(part, ast.Slice) for part in node.elts
-            ):
-                yield _with(node, elts=[*node.elts[:k], ast.UnaryOp(ast.USub(), component), *node.elts[k + 1 :]])
-
-
-def _numbers(node: ast.expr) -> Iterator[ast.expr]:
+def _numbers(node: ast.expr) -> Iterator[Edit]:
     """Yield the number times ratios of numbers in formulas, such as 4: 1/3 in place of 1/12."""
-    if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and not isinstance(node.value, bool):
-        yield from (ast.Constant(node.value * ratio) for ratio in RATIOS if node.value)
+    if number := _number(node):
+        for ratio in RATIOS:
+            yield Edit(ast.Constant(number * ratio), "a number{} is not the right one", rank=3)
 
 
-def _linearised(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield x in place of sin x and tan x, and 1 in place of cos x."""
-    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
-        yield ast.Constant(1.0) if _name_of(node.func) == "cos" else node.args[0]
-
-
-def _products_for_squares(node: ast.expr) -> Iterator[ast.expr]:
+def _products_for_squares(node: ast.expr) -> Iterator[Edit]:
     """Yield om1 * om2 in place of om1**2 and om1 * om1."""
-    if isinstance(node, ast.BinOp) and _is_square(node):
-        yield from (ast.BinOp(node.left, ast.Mult(), other) for other in _other(node.left))
-    elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult):
-        last = node.left.right if isinstance(node.left, ast.BinOp) else node.left
-        if ast.dump(last) == ast.dump(node.right):
-            yield from (_with(node, right=other) for other in _other(node.right))
+    if not isinstance(node, ast.BinOp):
+        return
+    last = node.left.right if isinstance(node.left, ast.BinOp) else node.left
+    if isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2)):
+        changes = [ast.BinOp(node.left, ast.Mult(), other) for other in _other(node.left)]
+    elif isinstance(node.op, ast.Mult) and ast.dump(last) == ast.dump(node.right):
+        changes = [_with(node, right=other) for other in _other(node.right)]
+    else:
+        return
+    yield from (Edit(now, "a square{} is a product of two quantities") for now in changes)
 
 
 def _other(node: ast.expr) -> Iterator[ast.expr]:
@@ -448,184 +520,131 @@ def _other(node: ast.expr) -> Iterator[ast.expr]:
         yield ast.Name(node.id[:-1] + "21"[int(node.id[-1]) - 1], ast.Load())
 
 
-def _missing_squares(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield sqrt(a**2 + b) in place of hypot(a, b), and sqrt(a**2 + b**2) in place of a**2 + b**2."""
-    if isinstance(node, ast.Call) and _name_of(node.func) == "hypot" and len(node.args) == 2:
-        first, second = node.args
-        total = ast.BinOp(ast.BinOp(first, ast.Mult(), first), ast.Add(), second)
-        yield ast.BinOp(total, ast.Pow(), ast.Constant(0.5))
-    if (
-        isinstance(node, ast.BinOp)
-        and isinstance(node.op, ast.Add)
-        and _is_square(node.left)
-        and _is_square(node.right)
-    ):
-        yield ast.BinOp(node, ast.Pow(), ast.Constant(0.5))
+def _divisors(node: ast.expr) -> Iterator[Edit]:
+    """Yield a / sqrt(b) and a / b**2 in place of a / b; `_exponents` changes powers."""
+    if _is_operation(node, ast.Div):
+        divisor = node.right
+        is_number = isinstance(divisor, ast.Constant) or _is_operation(divisor, ast.Pow)
+        if not is_number and _name_of(getattr(divisor, "func", divisor)) != "sqrt":
+            for power, what in ((0.5, "its square root"), (2, "squared")):
+                now = _with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(power)))
+                yield Edit(now, f"a divisor{{}} is {what}", divisor)
 
 
-def _squares_of_sums(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield (a + b)**2 in place of a**2 + b**2, and (1 + b)**2 in place of 1 + b**2."""
-    if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add) and _is_square(node.right)):
-        return
-    if _is_square(node.left) or _equal(node.left, ast.Constant(1)):
-        first, second = (getattr(side, "left", side) for side in (node.left, node.right))
-        yield _with(node.right, left=ast.BinOp(first, ast.Add(), second))
+def _other_sines(factor: float, words: str) -> tuple[Operator, ...]:
+    return tuple(rule(f"{name}(A)", f"{name}({factor} * A)", words) for name in ("sin", "cos", "tan"))
 
 
-def _lost_signs(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield |sin x| and |cos x| in place of sin x and cos x."""
-    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos"):
-        yield ast.Call(ast.Name("abs", ast.Load()), [node], [])
+def _other_angles(factor: float, words: str) -> tuple[Operator, ...]:
+    """Return the operators that yield a multiple or a fraction of pi times the factor, such as pi / 4 or -pi / 2."""
+    forms = product("*/", ("pi {} NUMBER", "NUMBER {} pi"))
+    return tuple(rule(form.format(op), f"{factor} * IT", words) for op, form in forms)
 
 
-def _is_square(node: ast.expr) -> bool:
-    return isinstance(node, ast.BinOp) and isinstance(node.op, ast.Pow) and _equal(node.right, ast.Constant(2))
-
-
-def _missing_first_terms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield -b in place of a - b."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Sub):
-        yield ast.UnaryOp(ast.USub(), node.right)
-
-
-def _missing_components(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the list or tuple with one computed element replaced by zero."""
-    if not isinstance(node, ast.List | ast.Tuple) or not isinstance(node.ctx, ast.Load):
-        return
-    if not any(isinstance(part, ast.Slice) for part in node.elts):
-        for k, component in enumerate(node.elts):
-            if not isinstance(component, ast.Constant | ast.Name | ast.Starred | ast.Tuple | ast.List):
-                yield _with(node, elts=[*node.elts[:k], _times(0, component), *node.elts[k + 1 :]])
-
-
-def _tangents(node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in ("sin", "cos"):
-        yield _with(node, func=_with(node.func, attr="tan"))
-
-
-def _roots(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield x in place of sqrt(x), and a / sqrt(b) and a / b**2 of a / b; `_exponents` changes powers."""
-    if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt" and len(node.args) == 1:
-        yield node.args[0]
-    divisor = node.right if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) else None
-    is_power = isinstance(divisor, ast.BinOp) and isinstance(divisor.op, ast.Pow)
-    if divisor and not (
-        is_power or isinstance(divisor, ast.Constant) or _name_of(getattr(divisor, "func", divisor)) == "sqrt"
-    ):
-        yield from (_with(node, right=ast.BinOp(divisor, ast.Pow(), ast.Constant(power))) for power in (0.5, 2))
-
-
-def _frequencies(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the root, as a circular frequency, divided by 2 pi."""
-    if isinstance(node, ast.Call) and _name_of(node.func) == "sqrt":
-        yield ast.BinOp(node, ast.Div(), ast.Constant(2 * math.pi))
-
-
-def _norms(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield the sum of the absolute components in place of the norm of a vector."""
-    if not (isinstance(node, ast.Call) and len(node.args) == 1):
-        return
-    name, (vector,) = _name_of(node.func), node.args
-    if name == "sqrt" and isinstance(vector, ast.BinOp) and isinstance(vector.op, ast.MatMult):
-        vector = vector.left if ast.dump(vector.left) == ast.dump(vector.right) else vector
-    elif name == "hypot" and isinstance(vector, ast.Starred):
-        vector = vector.value
-    elif name != "norm":
-        return
-    size = ast.Call(ast.Name("abs", ast.Load()), [vector], [])
-    yield ast.Call(ast.Name("sum", ast.Load()), [size], [])
-
-
-def _degrees(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield 90 in place of pi / 2, and the sine of an angle in degrees."""
-    yield from _other_angles(180 / math.pi, node)
-    yield from _other_sines(180 / math.pi, node)
-
-
-def _other_sines(factor: float, node: ast.expr) -> Iterator[ast.expr]:
-    if isinstance(node, ast.Call) and len(node.args) == 1 and _name_of(node.func) in ("sin", "cos", "tan"):
-        yield _with(node, args=[_times(factor, node.args[0])])
-
-
-def _other_angles(factor: float, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield a share of pi times the factor, such as pi / 4 or -pi / 2 in place of pi / 2."""
-    if _is_angle(node):
-        yield _times(factor, node)
-
-
-def _is_angle(node: ast.expr) -> bool:
-    """Return whether an expression is a multiple or a fraction of pi."""
-    if not (isinstance(node, ast.BinOp) and isinstance(node.op, ast.Mult | ast.Div)):
-        return False
-    sides = node.left, node.right
-    return any(_name_of(side) == "pi" for side in sides) and any(isinstance(side, ast.Constant) for side in sides)
-
-
-def _axes(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield "x" and "y" in place of "z", and so on."""
-    if isinstance(node, ast.Constant) and node.value in ("x", "y", "z"):
-        yield from (ast.Constant(axis) for axis in "xyz" if axis != node.value)
-
-
-def _tangent_parts(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield arctan2 with its first or second argument doubled: twice or half the tangent."""
-    if isinstance(node, ast.Call) and _name_of(node.func) in ("arctan2", "atan2") and len(node.args) == 2:
-        first, second = node.args
-        yield from (_with(node, args=parts) for parts in ([_times(2, first), second], [first, _times(2, second)]))
-
-
-def _other_thirds(factor: float, node: ast.expr) -> Iterator[ast.expr]:
-    """Yield x / 3, as in a bar's inertia about its end, times the factor: 7/12, 1/12 or 1/4 of x."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 3:
-        yield _times(factor, node)
-
-
-def _halves(node: ast.expr) -> Iterator[ast.expr]:
-    """Yield x in place of x / 2, and 1 in place of 0.5."""
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div) and getattr(node.right, "value", 0) == 2:
-        yield node.left
-    elif isinstance(node, ast.Constant) and node.value == 0.5:
-        yield ast.Constant(1.0)
-
-
-MOST_ALIKE = 3  # names in a group; more names, as in a state, have different meanings
-RATIOS = 2 / 3, 3 / 2, 1 / 3, 3, 1 / 4, 4, 1 / 6, 6, 3 / 4, 4 / 3
-MORE: dict[str, Operator] = {
-    "a missing factor": _missing_factors,
-    "half a term": _half_terms,
-    "another index": _other_indices,
-    "a first sign": _first_signs,
-    "the sign of a component": _signs_of_components,
-    "a number": _numbers,
-    "linearised": _linearised,
-    "a product for a square": _products_for_squares,
-    "a missing square": _missing_squares,
-    "a square of a sum": _squares_of_sums,
-    "a lost sign": _lost_signs,
-    "a missing first term": _missing_first_terms,
-    "a missing component": _missing_components,
-    "a tangent": _tangents,
-    "a root": _roots,
-    "a frequency": _frequencies,
-    "a norm": _norms,
-    "degrees": _degrees,
-    "radians": partial(_other_sines, math.pi / 180),
-    "the sign of an angle": partial(_other_angles, -1.0),
-    "an axis": _axes,
-    "parts of a tangent": _tangent_parts,
-    "the parallel axis": partial(_other_thirds, 7 / 4),
-    "about the mass centre": partial(_other_thirds, 1 / 4),
-    "without its turning": partial(_other_thirds, 3 / 4),
-}
-EVERYWHERE: tuple[tuple[str, Operator], ...] = (
-    *(("another function", partial(_sines_and_cosines, (name,), None)) for name in ("sin", "cos")),
-    ("linearised", _linearised),
-    ("a product for a square", _products_for_squares),
-    ("degrees", _degrees),
-    ("radians", partial(_other_sines, math.pi / 180)),
-    ("half an angle", partial(_other_angles, 0.5)),
-    ("halves", _halves),
+LINEAR = tuple(  # a cosine may be a missing factor
+    rule(f"{name}(A)", linear, "a sine or cosine{} is linearised, as for small angles", gives_way=2)
+    for name, linear in (("sin", "A"), ("cos", "1.0"), ("tan", "A"))
 )
+DEGREES = 180 / math.pi, "an angle is in degrees; it should be in radians"
+IN_DEGREES = (*_other_angles(*DEGREES), *_other_sines(*DEGREES))
+IN_RADIANS = _other_sines(math.pi / 180, "an angle in radians is read as degrees")
+LENGTH = "a length{} is the sum of the components, not the root of the sum of their squares"
+OPERATORS: dict[str, tuple[Operator, ...]] = {  # of the audit, with two more in `changed_expressions`
+    "a sign": (rule("-A", "A", SIGN), rule("not A", "A", SIGN)),
+    "a term or product": (
+        rule("A + B", "A - B", SIGN, "B"),
+        rule("A + B", "A", _missing, "B"),
+        rule("A + B", "B", _missing, "A"),
+        rule("A - B", "A + B", SIGN, "B"),
+        rule("A - B", "A", _missing, "B"),
+        rule("A - B", "B"),  # the term has another sign, too
+        *(rule(f"A {sign} B", f"A {sign} 2 * B", "a term{} counts twice", "B") for sign in "+-"),
+        rule("A * B", "A / B", "a factor{} divides where it should not", "B"),
+        rule("A / B", "A * B", "a factor{} multiplies where it should not", "B"),
+        *(rule("A @ B", wrong, TRANSPOSED) for wrong in ("B @ A", "A.T @ B")),
+    ),
+    "an exponent": (_exponents,),
+    "a factor": (_factors,),
+    "another function": (_counterparts,),
+    "swapped arguments": (_arguments,),
+    "an index": (_indices,),
+    "a transpose": (rule("A.T", "A", TRANSPOSED),),
+    "a condition": (_conditions, rule("A if C else B", "A"), rule("A if C else B", "B")),
+}
+MORE: tuple[Operator, ...] = (  # of diagnosis alone
+    _missing_factors,
+    # others name the missing factor of the term, or the number
+    *(rule(f"A {sign} B", f"A {sign} 0.5 * B", "a term{} counts half", "B", gives_way=1) for sign in "+-"),
+    *(rule(f"A {sign} B", f"0.5 * A {sign} B", "a term{} counts half", "A", gives_way=1) for sign in "+-"),
+    *(rule(f"A[{index}]", "A[2]", COMPONENT) for index in (0, 1)),  # `_indices` yields the others
+    *(rule(f"A {sign} B", f"-A {sign} B", SIGN, "A") for sign in "+-"),
+    _components,
+    _numbers,
+    *LINEAR,
+    _products_for_squares,
+    rule("hypot(A, B)", "(A * A + B) ** 0.5", "a quantity{} is not squared"),
+    rule("A**2 + B**2", "IT ** 0.5", "a quantity{} is not squared"),
+    rule("A**2 + B**2", "(A + B) ** 2", "a sum{} is squared as a whole; square each of its terms"),
+    rule("1 + B**2", "(1 + B) ** 2", "a sum{} is squared as a whole; square each of its terms"),
+    *(rule(f"{name}(A)", "abs(IT)", "a sine or cosine{} has lost its sign") for name in ("sin", "cos")),
+    rule("A - B", "-B", MISSING_TERM, "A"),
+    *(rule(f"np.{name}(A)", "np.tan(A)", OTHER_FUNCTION) for name in ("sin", "cos")),
+    rule("sqrt(A)", "A", "a square root{} is missing"),
+    _divisors,
+    rule("sqrt(A)", f"IT / {2 * math.pi}", "a square root{} is divided by 2 pi"),
+    *(rule(norm, "sum(abs(A))", LENGTH) for norm in ("sqrt(A @ A)", "hypot(*A)", "norm(A)")),
+    *IN_DEGREES,
+    *IN_RADIANS,
+    *_other_angles(-1.0, "an angle has the opposite sign"),
+    *(rule(repr(z), repr(x), f"the axis is {x!r} where it should be {z!r}") for z, x in permutations("xyz", 2)),
+    *(
+        rule(f"{name}(A, B)", f"{name}({args})", TWICE_OR_HALF, gives_way=2)
+        for name, args in product(("arctan2", "atan2"), ("2 * A, B", "A, 2 * B"))
+    ),
+    rule("A / 3", "1.75 * IT", "m l^2/4 is added to m l^2/3{}; a third is a bar's inertia about its end already"),
+    rule("A / 3", "0.25 * IT", "m l^2/12 is used for m l^2/3{}; a third is a bar's inertia about its end"),
+    rule(
+        "A / 3",
+        "0.75 * IT",
+        "m l^2/4 is used for m l^2/3{}; the bar's inertia m l^2/12 about its mass centre is missing",
+    ),
+)
+EVERYWHERE: tuple[tuple[Operator, ...], ...] = (
+    *((partial(_sines_and_cosines, names=(name,), words=OTHER_FUNCTION),) for name in ("sin", "cos")),
+    LINEAR,
+    (_products_for_squares,),
+    IN_DEGREES,
+    IN_RADIANS,
+    _other_angles(0.5, "an angle is half the right one"),
+    # few mutants, whose numbers hardly any other has
+    (rule("A / 2", "A", EVERY_HALF, rank=0), rule("0.5", "1.0", EVERY_HALF, rank=0)),
+)
+
+
+def _is_operation(node: ast.AST, *operators: type[ast.operator]) -> TypeGuard[ast.BinOp]:
+    return isinstance(node, ast.BinOp) and isinstance(node.op, operators)
+
+
+def _is_call(node: ast.expr, names: Container[str]) -> TypeGuard[ast.Call]:
+    """Return whether an expression is a call of one of these functions with one argument."""
+    return isinstance(node, ast.Call) and _name_of(node.func) in names and len(node.args) == 1
+
+
+def _number(node: ast.expr) -> int | float:
+    """Return the number that an expression is; 0 for others."""
+    value = node.value if isinstance(node, ast.Constant) else 0
+    return value if isinstance(value, int | float) and not isinstance(value, bool) else 0
+
+
+def _elements(node: ast.expr) -> list[ast.expr]:
+    """Return the elements of a list or a tuple; in A[:, 1] there is none."""
+    elements = node.elts if isinstance(node, ast.List | ast.Tuple) and isinstance(node.ctx, ast.Load) else []
+    return [] if any(isinstance(element, ast.Slice) for element in elements) else elements
+
+
+def _is_read(node: ast.expr) -> TypeGuard[ast.Name]:
+    """Return whether an expression is the value of a name, to which nothing is assigned there."""
+    return isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load)
 
 
 def _with(node: Node, **fields: object) -> Node:
