@@ -74,11 +74,13 @@ def flaws(definition, p, c):
 
 
 def order_hint(definition, p, c):
-    """Return a hint for a motion that has no flaw with P and C exchanged, or with its coefficients reversed.
+    """Return a hint for a motion that has no flaw with P and C exchanged, or coefficients reversed or transposed.
 
     While P rests, definition b holds for any motion of C: then only a highest coefficient of zero shows the reversal.
     """
     orders = {"Are P and C swapped? The motion of P comes first": (c, p)}
     if definition == "c" or np.any(p[:-1]) or not np.any(c[-1]):
         orders["The sum starts at j = 0: p[0] and c[0] are the positions at t = 0"] = (p[::-1], c[::-1])
+    if len(p) == len(c) == 3:
+        orders["Rows and columns are exchanged: row j has the components of the coefficient of t^j"] = (p.T, c.T)
     return next((message for message, pair in orders.items() if next(flaws(definition, *pair), None) is None), "")
