@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from tam570_grader import Assignment, check, expect, from_own_lagrangian
-from tam570_grader.checks.compare import Column, absolute, compare_with
+from tam570_grader.checks.compare import Column, absolute, compare_with, if_nearly
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.returns import formula, free_body_diagram, group, number, rows
 from tam570_grader.checks.trajectory import Invariant, OwnRates, check_conserved, compare_trajectory
@@ -208,7 +208,8 @@ def small_angle_solution_without_gravity(student, rng):
 @check("period", points=0.5)
 def period_is_exact(student, rng):
     """exact at large amplitudes."""
-    hint = "The energy gives omega at theta, and dt = dtheta/omega."
+    energy = "The energy gives omega at theta, and dt = dtheta/omega."
+    hint = if_nearly("is your quadrature exact where omega is zero, or your series long enough?", energy)
     compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=hint)
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 
 from tam570_grader import Assignment, Case, check
-from tam570_grader.checks.compare import Column, absolute, check_domain, compare_with, first_wrong
+from tam570_grader.checks.compare import Column, absolute, check_domain, compare_with, first_wrong, if_nearly
 from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.plots import (
     along,
@@ -206,7 +206,9 @@ def small_deviations_grow_at_this_rate(student, rng):
     compare(student.growth_rate_squared, cases.spins(rng), hint=hint)
 
 
-BACK = "After what time is omega back, sign and all?"
+BACK = if_nearly(
+    "how accurate is your quadrature, or your time of return?", "After what time is omega back, sign and all?"
+)
 
 
 @check("tumble_period", points=0.375, part="b")

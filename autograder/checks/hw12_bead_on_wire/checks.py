@@ -8,7 +8,7 @@ from itertools import islice
 import numpy as np
 
 from tam570_grader import Assignment, Failed, check, expect, from_own_lagrangian
-from tam570_grader.checks.compare import Column, compare_with, own_result
+from tam570_grader.checks.compare import Column, compare_with, if_nearly, own_result
 from tam570_grader.checks.diagrams import compare_diagrams
 from tam570_grader.checks.expect import FollowsFrom, NotWritten
 from tam570_grader.checks.returns import array, formula, free_body_diagram, number, rows
@@ -194,16 +194,12 @@ def simulate_keeps_the_energy(student, rng):
     compare_energy(student.simulate, cases.many_periods(rng), KEPT, partial=LOSSES, hint=hint)
 
 
-def of_period(case, period, expected):
-    if abs(period - expected) <= 1e-3 * expected:
-        return "It is nearly right: is your quadrature exact where v is zero?"
-    return "The energy gives v at every x, and dt is dx/v; the wire is longer than x."
-
-
 @check("period", points=1, part="b")
 def period_is_exact(student, rng):
     """exact for amplitudes near 1/c."""
-    compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=of_period)
+    energy = "The energy gives v at every x, and dt is dx/v; the wire is longer than x."
+    hint = if_nearly("is your quadrature exact where v is zero?", energy)
+    compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=hint)
 
 
 @check("period", points=0.5, part="b", after=period_is_exact)

@@ -35,6 +35,7 @@ class Column:
 
 
 PLACES = range(2, 13)  # decimals to which students may round; a number with two or fewer may be exact
+PERCENT = 0.01  # of a number: the error of a poor quadrature is smaller, that of wrong physics mostly larger
 NEARLY = 1e-4  # of the largest number: the error of a wrong term is larger, that of a loose tolerance smaller
 SINGLE = 1e-6  # of the largest number; the rounding error of single precision is 6e-8
 
@@ -141,6 +142,12 @@ def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected
         where = np.arange(expected.shape[-1])[column.where].tolist()
         words = column.quantity, column.unit, column.size(case, expected)
         yield Comparison(actual[..., where], expected[..., where], *words, columns=where, t=t)
+
+
+def if_nearly(accuracy: str, otherwise: str) -> HintOfCase:
+    """Return a hint for a positive number: a question about its accuracy if it is nearly right, else `otherwise`."""
+    said = f"It is nearly right: {accuracy}"
+    return lambda case, number, expected: said if abs(number - expected) <= PERCENT * expected else otherwise
 
 
 def compare_with(
