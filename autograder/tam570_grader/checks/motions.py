@@ -25,7 +25,7 @@ def flat(rows: Numbers) -> Array:
     return np.hstack([np.reshape(part, (len(part), -1)) for part in parts])
 
 
-ALIKE = 1e-3  # of the scale: two integrations of one motion differ by less
+ALIKE = 1e-3  # of the scale, or of an effect: two integrations of one motion differ by less
 DENSE = 1e-4  # of the scale: a solver's interpolation at a loose tolerance errs by less, linear interpolation by more
 BETTER = 0.1  # of the error: less remains at other times if the times are the cause
 DENSER = 400  # number of times at which a motion is refined
@@ -39,6 +39,7 @@ INSTANTS = 1e-8, 1e-7
 LONGER = 3  # durations in which the time of the student's second row is sought
 MOST_STEPS = 4  # time steps of the student's that are tried
 ASKED = 6  # rows, and right states, from which both motions are started for an instant
+SHORTER = 1, 0.01  # of the duration, for a motion by wrong rates
 ABSURD = 100  # scales: from rows with a larger error, the reference motion may take arbitrarily long
 STEPS = 2_000_000  # limit for the reference motion from a student's rows
 EXPLAINED, EXPLAINS = 0.03, 0.5  # of the errors: right rates cause less than the first, wrong ones more than the second
@@ -349,11 +350,15 @@ class Rates:
     at : (t, row) -> rates of the first or the last columns; the other columns have the right rates
     move : returns whether the motion changes if these rates do
     back : the student's function that projects a state onto a constraint
+    right : the right rates, of the same columns
+    doubled : (index, case) -> the motion if one of the student's rates is doubled; None if there is none
     """
 
     at: Callable[[float, Array], Numbers]
     move: Callable[[], bool]
     back: Callable[[Array], Numbers] | None = None
+    right: Callable[[float, Array], Numbers] | None = None
+    doubled: Callable[[int, Case], Numbers] | None = None
 
     def models(self, t: float, row: Array, rate: Array, instant: float) -> Array:
         """Return the rates (3, k) at which a motion by the student's rates may leave a row; `rate` is right."""
@@ -382,8 +387,7 @@ def has_rates(motion: ComparedMotion, rates: Rates, *, ends: bool = True) -> boo
             unexplained, wrong = np.maximum([unexplained, wrong], off.max(axis=2))
             undone = max(undone, float(np.max(np.abs(instant_rate - expected_rate) / motion.scales)))
         explained = np.any((unexplained <= EXPLAINED * wrong) & (wrong > 0))
-        sound = [row for row in rows if motion.errors[row : row + 2].max() <= ABSURD]
-        if explained and (not ends or all(_leads_on(motion, row) for row in sound)):
+        if (explained or _would_set_off(motion, rates)) and (not ends or _leads_on(motion)):
             return True
         # rows projected onto a constraint may differ from the states from which the motion continues
         is_undone = undone <= EXPLAINED * wrong[:2].min()
@@ -405,11 +409,44 @@ def sets_off(motion: ComparedMotion) -> bool:
     return True
 
 
-def _leads_on(motion: ComparedMotion, row: int) -> bool:
-    """Return whether the student's motion, started at one of its rows, makes the same step as before."""
-    led = motion.repeated_at(motion.t[row : row + 2], *_restart(motion, motion.actual[row]))
-    off = np.diff(led, axis=0)[0] - (motion.actual[row + 1] - motion.actual[row])
-    return bool(np.max(np.abs(off) / motion.scales) <= ALIKE)
+def _would_set_off(motion: ComparedMotion, rates: Rates) -> bool:
+    """Return whether the motion would leave right states at the right rates if the student's rates were right.
+
+    For an instant its effect is linear in each of them, also if the rows are projected onto a constraint.
+    """
+    if not rates.right or not rates.doubled:
+        return False
+    off = list[Array]()
+    for row in _some(motion, ASKED):
+        t, rate, expected = _set_off(motion, row)
+        own, right = (np.ravel(each(t[0], motion.expected[row])) for each in (rates.at, rates.right))
+        case, would_be = motion.case.replace(t, *_restart(motion, motion.expected[row])), rate.copy()
+        for index in np.flatnonzero(~np.isclose(own, right)):
+            rows = rates.doubled(int(index), case) if own[index] else None
+            if rows is None:
+                return False
+            would_be += (right[index] / own[index] - 1) * (np.diff(flat(rows), axis=0)[0] / np.ptp(t) - rate)
+        off.append(np.max(np.abs([would_be, rate] - expected) / motion.scales, axis=1))
+    unexplained, wrong = np.max(off, axis=0)
+    return bool(unexplained < ALIKE * wrong)
+
+
+def _leads_on(motion: ComparedMotion) -> bool:
+    """Return whether the student's motion, started at some of its rows, makes the same steps as before.
+
+    Wrong rates may lead to a singularity, beyond which no two motions agree: then use a shorter motion.
+    """
+    for share in SHORTER:
+        t = motion.t[0] + share * (motion.t - motion.t[0])
+        own_rows = motion.actual if share == 1 else motion.repeated_at(t)
+        if not np.max(np.abs(own_rows - own_rows[0]) / motion.scales) <= ABSURD:
+            continue
+        off = list[Array]()
+        for row in _some(motion, ASKED):
+            led = motion.repeated_at(t[row : row + 2], *_restart(motion, own_rows[row]))
+            off.append(np.diff(led, axis=0)[0] - (own_rows[row + 1] - own_rows[row]))
+        return bool(np.max(np.abs(off) / motion.scales) <= ALIKE * share)
+    return False
 
 
 def _set_off(motion: ComparedMotion, row: int) -> tuple[Array, Array, Array]:

@@ -21,9 +21,9 @@ from tam570_grader.checks.compare import (
 )
 from tam570_grader.checks.curves import Curve, curve
 from tam570_grader.checks.expect import NEAR_MISS, NEAR_MISS_SHARE, Failed, FollowsFrom, NotWritten, expect, get_context
+from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import (
-    OF_STEPS,
     ROUGHLY,
     ComparedMotion,
     Rates,
@@ -91,7 +91,14 @@ class OwnRates:
         student_rates, back = self._function(motion), partial(self._back, motion) if self.passes else None
         t = motion.t[:2] if ends else motion.t[0] + SETTING_OFF * np.array([0, motion.t[1] - motion.t[0]])
         uses_them = partial(motion.function.uses, student_rates.name, motion.case.replace(t))
-        rates = Rates(lambda t, row: student_rates.aside(self._case(motion, t, row)), uses_them, back)
+        true, is_formula = find_reference(self.reference, student_rates), isinstance(student_rates.returns, Formula)
+        rates = Rates(
+            lambda t, row: student_rates.aside(self._case(motion, t, row)),
+            uses_them,
+            back,
+            None if is_formula else lambda t, row: expected_result(true, self._case(motion, t, row)),
+            lambda index, case: motion.function.scaled(student_rates.name, index, 2.0, case),
+        )
         if not self.are_right(motion) and has_rates(motion, rates, ends=ends):
             return FollowsFrom(self.name)
         if back and ends:
@@ -308,11 +315,9 @@ def _hint(
 ) -> str:
     own_rates: OwnRates | None = motion.function.returns.rates
     rates_are_right = partial(own_rates.are_right, motion) if own_rates else None
-    # If the rates are known to be wrong, their motion needs no other explanation, for which many more are integrated.
-    said = own_rates.source(motion) if own_rates and get_context().wrong_before else ""
+    # A motion by wrong rates needs no other explanation, for which many more are integrated.
+    said = own_rates.source(motion) if own_rates else ""
     said = said or diagnosed(motion, motions, turns, near_miss, rates_are_right)
-    if own_rates and said in ("", *OF_STEPS) and not get_context().wrong_before:
-        said = own_rates.source(motion) or said
     said = said or (hint(motion) if callable(hint) else "")
     if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):
         return own_rates.hint(motion)

@@ -86,6 +86,24 @@ def test_a_motion_without_bounds_is_that_of_its_rates():
     assert motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
 
 
+@pytest.mark.parametrize("slip", [1.0, 1.1])
+def test_rows_on_a_constraint_follow_from_wrong_rates_unless_the_motion_adds_a_slip(slip):
+    def on_parabola(t, start, rate=1.0):
+        x = start[0] + rate * (t - t[0])
+        return np.column_stack([x, x**2])
+
+    student = SimpleNamespace(aside=lambda case: on_parabola(*case.args, 2 * slip))
+    case = Case(np.linspace(0, 1, 11), np.ones(2))
+    wrong = ComparedMotion(case, student.aside(case), on_parabola(*case.args), np.ones(2), student, on_parabola)
+    rates = motions.Rates(
+        lambda t, row: (2.0, 2 * row[0]),
+        lambda: True,
+        right=lambda t, row: (1.0, 2 * row[0]),
+        doubled=lambda index, case: on_parabola(*case.args, 2 * slip * (2 - index)),
+    )
+    assert motions.has_rates(wrong, rates) == (slip == 1)
+
+
 def test_errors_that_chaos_makes_large_break_no_equation(careless):
     assert np.abs(careless - exact()).max() > 10
     assert leads(careless)
