@@ -23,6 +23,7 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.checks.motions import OF_ROWS, OF_TIMES
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
+from tam570_grader.checks.trajectory import SETTING_OFF
 from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.helper_factor import same_factor
@@ -244,7 +245,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             is_told = failed.failure.hint in OF_TIMES
             search = partial(diagnose, solution, folder, earlier=earlier, is_told=is_told, passed=passed)
             following = follows(solution, calls, earlier)
-            own_source = None if following else _own_source(run, failed)
+            own_source = None if following else _own_source(run, check, failed)
             cause = following or own_source or search(calls)
             if cause and not (following or own_source) and is_refuted(cause, run.passing):
                 beside = [call for call in run.passing if call.name == cause.function and not is_motion(call)]
@@ -255,7 +256,7 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
             if cause and is_new and not own_source and cause.follows_from not in ("", cause.function):
                 common = _earlier({check.name: cause})
                 if not _following(run, check, [*earlier, *common]):
-                    cause = _own_source(run, failed) or search(calls, may_follow=False)
+                    cause = _own_source(run, check, failed) or search(calls, may_follow=False)
             cause = cause or _memory(run, failed)
             if cause is None and failed.failure.hint in OF_ROWS:
                 cause = Cause(failed.failure.function, "", "rule")
@@ -266,11 +267,11 @@ def _cause(run: _Run, check: Check, failed: Failed) -> tuple[Cause | None, str]:
         return None, repr(error)[:LONGEST_FAULT]
 
 
-def _own_source(run: _Run, failed: Failed) -> Cause | None:
+def _own_source(run: _Run, check: Check, failed: Failed) -> Cause | None:
     """Return a cause that names the student's wrong function behind this failure, as the check or a solution shows."""
     calls, assignment, failure = run.student.calls, run.assignment, failed.failure
     before = [(result.failure.function, result.failure.hint) for result in run.results.values() if result.failure]
-    is_rule = failure.hint in OF_ROWS or (failure.hint == WORK_ON_COPIES and _has_right_numbers(run, failure))
+    is_rule = failure.hint in OF_ROWS or (failure.hint == WORK_ON_COPIES and _passes_on_copies(run, check))
     repeats_rule = is_rule and (failure.function, failure.hint) in before
     if source := failure.follows_from or (failure.function if repeats_rule else ""):
         return Cause(failure.function, "", "own", follows_from=source)
@@ -309,11 +310,14 @@ def _error(result: Numbers, expected: Numbers) -> float:
     return max(float(np.abs(np.subtract(number, right)).max(initial=0.0)) for number, right in pairs)
 
 
-def _has_right_numbers(run: _Run, failure: Failure) -> bool:
-    """Return whether the failed call, and all others of the check, have the right numbers."""
-    solution, calls = run.assignment.solution, run.student.calls
-    is_among = any(call.case is failure.at for call in calls)
-    return is_among and all(same(call.result, answer(solution, "", call), tolerance_of(call)) for call in calls)
+def _passes_on_copies(run: _Run, check: Check) -> bool:
+    """Return whether a check passes if the functions may change the arrays that they are given."""
+    with run.student.aside(), run.student.on_copies():
+        try:
+            run.perform(check)
+        except Exception:  # of any kind: the check does not pass
+            return False
+        return True
 
 
 def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
@@ -364,14 +368,15 @@ def _shared_helper(run: _Run, cause: Cause | None, failed: Failed) -> Cause | No
         if failure.follows_from or other in ("", name) or not isinstance(other_case, Case):
             continue
         function, other_function = getattr(student, name), getattr(student, other)
+        own_case, its_case = _shortened(function, case), _shortened(other_function, other_case)
         try:
             with budget():
                 of_both = [
                     helper
                     for helper in helpers
-                    if function.uses(helper, case) and other_function.uses(helper, other_case)
+                    if function.uses(helper, own_case) and other_function.uses(helper, its_case)
                 ]
-                calls_other = function.uses(other, case) or other_function.uses(name, other_case)
+                calls_other = function.uses(other, own_case) or other_function.uses(name, its_case)
                 if (calls_other or of_both) and (
                     (cause and cause.repeats == other)
                     or _same_words(failure, failed.failure)
@@ -393,6 +398,12 @@ def _input_with_numbers(run: _Run, failure: Failure) -> object:
     """Return the input of a failure; if the failure has no numbers, an input that passed, if there is one."""
     passing = (call.case for call in run.passing if call.name == failure.function)
     return next(passing, failure.at) if failure.message else failure.at
+
+
+def _shortened(function: StudentFunction, case: Case) -> Case:
+    """Return the case; that of a motion with its first two times alone, close together: wrong ones may run away."""
+    t = case.args[0] if case.args and getattr(function.returns, "rates", None) else None
+    return case if t is None else case.replace(t[0] + SETTING_OFF * (t[:2] - t[0]))
 
 
 def _same_words(before: Failure, failure: Failure) -> bool:
@@ -529,8 +540,8 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
     except Failed as failed:
         function = failed.failure.function  # if it hung before, it is not called again
         hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
-        following = _following(run, check, _earlier(run.causes)) or next(hung, None)
-        cause = following or _own_source(run, failed) or _shared_helper(run, None, failed) or _memory(run, failed)
+        cause = _following(run, check, _earlier(run.causes)) or next(hung, None) or _own_source(run, check, failed)
+        cause = cause or _shared_helper(run, None, failed) or _memory(run, failed)
         if cause is None:
             return None
         run.causes[check.name] = cause

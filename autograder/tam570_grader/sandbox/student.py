@@ -43,6 +43,7 @@ class Student:
     def __init__(self, source: Source, assignment: LoadedAssignment, zygote: Zygote, attempt: Attempt = ONLY) -> None:
         self._forgiving, self._informed = attempt.forgiving, attempt.is_retry
         self.calls: list[Call] = []  # calls of the check that is running
+        self.may_change = False  # whether the functions may change the arrays that they are given
         self.skipped: list[str] = []  # sentences on skipped notebook cells
         self._source, self.assignment, self._zygote = source, assignment, zygote
         self._processes: dict[tuple[str, ...], SandboxProcess] = {}  # by modules that are off limits in it
@@ -78,6 +79,15 @@ class Student:
             self._asides -= 1
             self._given_up |= self.broken.keys() - tried.keys()
             self.calls, self.broken, running.function, running.case = calls, broken, function, case
+
+    @contextmanager
+    def on_copies(self) -> Iterator[None]:
+        """Open a block in which the functions may change the arrays that they are given."""
+        self.may_change = True
+        try:
+            yield
+        finally:
+            self.may_change = False
 
     @contextmanager
     def afresh(self) -> Iterator[None]:
