@@ -22,9 +22,10 @@ WRITTEN = re.compile(r"%%writefile +(?:-a +)?\S*\bhw\d\d\w*\.py\s")  # a cell th
 PYLAB = "from matplotlib.pylab import *; import numpy as np; from matplotlib import pyplot as plt"  # for %pylab
 PROMPT = re.compile(r"(?:>>>|\.\.\.)(?: |$)|In \[\d+\]: ?|\s*\.\.\.: ?")  # pasted together with the code after it
 LARGEST, LARGEST_WITH_OUTPUTS = 10 * 2**20, 100 * 2**20  # bytes of a file, of a notebook with its outputs
-OUTPUTS = rb'"outputs"\s*:\s*(?=\[)|"attachments"\s*:\s*(?=\{)'  # outputs of a cell, pictures in its text
-# a string without an end goes to the end of the file: the search is linear and never goes back
-TOKENS = re.compile(rb"(" + OUTPUTS + rb')|"[^"\\]*+(?:\\.[^"\\]*+)*+"?|([\[{])|[\]}]', re.DOTALL)
+OUTPUTS = rb'outputs"\s*:\s*(?=\[)|attachments"\s*:\s*(?=\{)'  # outputs of a cell, pictures in its text
+# A string without an end goes to the end of the file: the search is linear and never goes back. Each alternative begins
+# with one character, so that the search skips all others at once.
+TOKENS = re.compile(rb'"(' + OUTPUTS + rb')|"[^"\\]*+(?:\\.[^"\\]*+)*+"?|\[|\{|\]|\}', re.DOTALL)
 MOST_TOKENS = 3_000_000  # read in a notebook; outputs beyond are kept
 DECLARED = re.compile(rb"(?:.*\r?\n)?[ \t\f]*#.*coding[:=]")  # an encoding, declared as in PEP 263
 Cells = list[tuple[int, str]]  # number, counted from 1 over all cells, and text
@@ -52,10 +53,9 @@ def without_outputs(source: bytes) -> bytes:
     """
     parts, begin, depth, first = list[bytes](), 0, 0, 0  # first: start of the outputs being removed, or 0
     for token in itertools.islice(TOKENS.finditer(source), MOST_TOKENS):
-        outputs, opening = token.groups()
-        if outputs and not first:
+        if token[1] and not first:
             depth, first = 0, token.end()
-        elif opening:
+        elif token[0] in (b"[", b"{"):
             depth += 1
         elif first and token[0] in (b"]", b"}"):
             depth -= 1
