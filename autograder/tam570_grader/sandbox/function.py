@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, replace
-from itertools import repeat
+from itertools import islice, repeat
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,6 +27,7 @@ ROUNDING = 1e-25  # largest imaginary part, absolute, if they cancel to zero
 MISCALLED = re.compile(r"\S+\(\) (?:got|missing|takes) .*")  # Python's message about wrong arguments
 BLOCK = re.compile(r"^(?:def|class) +([A-Za-z_]\w{0,39})\b", re.MULTILINE)  # a function or class of a file
 MOST_BLOCKS = 50  # limits what the name of the function that raises can reveal about hidden inputs
+MOST_SEARCHED = 100_000  # words of a file in which a symbol is looked for; one search serves all symbols
 WORK_ON_COPIES = "Work on copies"
 STRANGER = r"[A-Za-z]{1,12}(_?[A-Za-z0-9]{1,3})?(\(t\))?"  # a symbol's name, theta_1, or a function of time, theta(t)
 
@@ -236,5 +237,6 @@ def _strangers(value: object, source: str) -> str:
     A submission can compute names of symbols from hidden inputs, so no other name is revealed, and only one.
     """
     names: Any = value.get("strangers") if isinstance(value, dict) else None
-    words = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
-    return next((name for name in words if re.search(rf"\b{name.removesuffix('(t)')}\b", source)), "")
+    words = {match[0] for match in islice(re.finditer(r"\w+", source), MOST_SEARCHED)}
+    symbols = [name for name in names if re.fullmatch(STRANGER, name)] if strings(names) else []
+    return next((name for name in symbols if name.removesuffix("(t)") in words), "")

@@ -8,6 +8,7 @@ from classes import HW08 as SLUG
 
 from tam570_grader.protocol.wire import DEEPEST, LONGEST_TEXT, Foreign
 from tam570_grader.sandbox import replies
+from tam570_grader.sandbox.function import MOST_SEARCHED, _strangers
 from tam570_grader.sandbox.process import ProcessLost
 from tam570_grader.sandbox.zygote import ResourceLimits
 
@@ -68,6 +69,12 @@ def test_a_drawing_has_short_labels_and_a_scatter_few_points():
     built = drawing(lines=[scatter], xlabel=r"\hspace{" * 10**6, ylabel=7)
     assert len(built.xlabel) == len(built.lines[0].label) == LONGEST_TEXT and built.ylabel == ""
     assert len(built.lines[0].points) <= replies.MOST_SCATTERED
+
+
+def test_a_symbol_is_named_if_it_is_among_the_first_words_of_the_file():
+    strange = {"strangers": ["other", "q", "phi(t)"]}
+    assert _strangers(strange, "phi = q2") == "phi(t)" and _strangers(strange, "x = q") == "q"
+    assert _strangers(strange, "a " * MOST_SEARCHED + "q") == ""
 
 
 @pytest.mark.parametrize("sent", [{"replies": []}, {"replies": [{"value": 1.0}] * 3}, {"values": np.empty((2**40, 0))}])
