@@ -85,10 +85,9 @@ def unpack_zip(packed: File, quota: Quota, *, nested: bool = False) -> list[File
     nested : it was in another zip file (a student may pack the output of `tam570 handin`), so open no third one
     """
     try:
-        end = packed.data.rfind(b"PK\5\6")  # gives the size of the directory, which may be too slow to read
-        if end >= 0 and int.from_bytes(packed.data[end + 12 : end + 16], "little") > MOST_INSIDE * (
-            ENTRY + LONGEST_PATH
-        ):
+        # the size of the directory, which may be too slow to read; private: zipfile alone knows which record it reads
+        end = zipfile._EndRecData(io.BytesIO(packed.data))  # type: ignore[attr-defined]
+        if end and end[zipfile._ECD_SIZE] > MOST_INSIDE * (ENTRY + LONGEST_PATH):  # type: ignore[attr-defined]
             raise UsageError(f"it holds more than {MOST_INSIDE} files")
         with zipfile.ZipFile(io.BytesIO(packed.data)) as archive:
             for info in archive.infolist():  # some programs on Windows separate names by backslashes

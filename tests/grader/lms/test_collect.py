@@ -124,6 +124,12 @@ SPOILT = [
 ]
 
 
+# in zip64, a second end record gives the size of the directory, here 8 MiB
+LARGE_DIRECTORY = b"PK\1\2" + bytes(8 * 2**20) + b"PK\6\6" + (44).to_bytes(8, "little") + bytes(28)
+LARGE_DIRECTORY += (8 * 2**20 + 4).to_bytes(8, "little") + bytes(8)
+LARGE_DIRECTORY += b"PK\6\7" + bytes(4) + (8 * 2**20 + 4).to_bytes(8, "little") + b"\1\0\0\0" + b"PK\5\6" + bytes(18)
+
+
 @pytest.mark.parametrize(
     ("name", "data", "words"),
     [
@@ -138,6 +144,7 @@ SPOILT = [
         *(("chency_19_9_hw08.zip", data, "it cannot be unpacked") for data in (b"no zip", *SPOILT)),
         ("chency_19_9_hw08.zip", packed({"a.zip": packed({"../hw08.py": "x"})}), "leads out"),
         ("chency_19_9_hw08.zip", packed({f"{n:06}": "" for n in range(1_001)}), "more than 1000 files"),
+        ("chency_19_9_hw08.zip", LARGE_DIRECTORY, "more than 1000 files"),
         (LINK, "/etc/passwd", "it is a link"),
     ],
 )
