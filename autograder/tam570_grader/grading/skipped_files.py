@@ -1,6 +1,8 @@
 """List files in a class's folder that are not graded, and add a row for each student who handed in nothing."""
 
 import os
+import unicodedata
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import product
 from pathlib import Path
@@ -8,10 +10,20 @@ from pathlib import Path
 from tam570_grader.checks.assignments import slug_of
 from tam570_grader.errors import printable
 from tam570_grader.grading import roster
-from tam570_grader.grading.submissions import GIVEN, MOST_NAMES, BadPath, Submission, entries, holds_students, of_name
+from tam570_grader.grading.submissions import (
+    GIVEN,
+    MOST_NAMES,
+    BadPath,
+    Submission,
+    entries,
+    holds_assignments,
+    holds_students,
+    of_name,
+)
 from tam570_grader.results.collected import MINOR, TABLE, form, listed
 
 PACKED = (".zip", ".txt", ".gz", ".7z", ".rar", ".tar")  # endings of files that students hand in by mistake
+TWINS = "each has its own row, whose name ends in a code; rename all but one"
 REMEDY = "name it after its assignment, as hw08.py, or name the assignment with --assignment"
 
 
@@ -27,7 +39,15 @@ def skipped_files(
         if not folder.is_dir() or folder.resolve() in trees:
             continue
         is_class = holds_students(folder.absolute(), slugs, students)
-        for entry, is_folder in entries(folder.absolute()):
+        held = entries(folder.absolute())
+        for name, count in Counter(unicodedata.normalize("NFC", entry.name) for entry, _ in held).items():
+            if count > 1:
+                yield f"{count} folders in {_shown(folder)} are called {name}, in different encodings: {TWINS}"
+        hidden = (entry for entry in folder.iterdir() if entry.name.startswith((".", "__")) and not entry.is_symlink())
+        for entry in hidden:
+            if entry.is_dir() and holds_assignments(entry, slugs, files=False):
+                yield f"{_shown(entry)} is not graded: its name begins with {entry.name[0]}; rename it"
+        for entry, is_folder in held:
             is_students = is_folder and (is_class or not slug_of(entry.name, slugs))
             if entry in trees and is_students:
                 yield from _beside(entry, graded, slugs)
@@ -59,11 +79,15 @@ def _beside(folder: Path, graded: set[Path | None], slugs: Sequence[str]) -> Ite
         held = entries(folder)
     except BadPath:  # the student's result reports it
         return
-    for entry, is_folder in held:
-        if entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, slugs):
-            continue
-        if is_folder or form(entry.name) or entry.suffix.lower() in PACKED:
-            yield f"{_shown(entry)} is not graded; {REMEDY}"
+    strays = [
+        entry
+        for entry, is_folder in held
+        if (is_folder or form(entry.name) or entry.suffix.lower() in PACKED)
+        and not (entry in graded or GIVEN.fullmatch(entry.stem) or _names_another(entry, slugs))
+    ]
+    yield from (f"{_shown(entry)} is not graded; {REMEDY}" for entry in strays[:MOST_NAMES])
+    if len(strays) > MOST_NAMES:
+        yield f"{len(strays) - MOST_NAMES} more in {_shown(folder)} are not graded"
 
 
 def _names_another(entry: Path, slugs: Sequence[str]) -> bool:

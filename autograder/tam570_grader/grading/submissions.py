@@ -242,7 +242,7 @@ def _trees(folder: Path, all_slugs: Sequence[str], chosen: str | None, students:
         raise BadPath(next(iter(closed.values())))
     slugs = sorted({submission.slug for submission in work})  # assignments that other students handed in
     lost = [Submission(_name(home.name), slug, None, home, why) for home, why in closed.items() for slug in slugs]
-    return _best_of_each(work) + lost
+    return _best_of_each(_twins_marked([*work, *lost]))
 
 
 def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]) -> bool:
@@ -255,16 +255,14 @@ def holds_students(folder: Path, slugs: Sequence[str], students: Collection[str]
         return True
     like = [slug_of(entry.name, slugs) is not None for entry in folders]
     if not any(like):
-        return any(_holds_assignments(entry, slugs, files=True) for entry in folders)
-    holding = [
-        _holds_assignments(entry, slugs, files=not is_like) for entry, is_like in zip(folders, like, strict=True)
-    ]
+        return any(holds_assignments(entry, slugs, files=True) for entry in folders)
+    holding = [holds_assignments(entry, slugs, files=not is_like) for entry, is_like in zip(folders, like, strict=True)]
     return any(holding) and sum(holding) >= sum(
         is_like and not holds for is_like, holds in zip(like, holding, strict=True)
     )
 
 
-def _holds_assignments(folder: Path, slugs: Sequence[str], *, files: bool) -> bool:
+def holds_assignments(folder: Path, slugs: Sequence[str], *, files: bool) -> bool:
     """Return whether a folder contains folders (or, with `files`, also files) named after assignments."""
     try:
         held = entries(folder, MOST_FILES)
@@ -380,7 +378,8 @@ def _of_files(held: Sequence[tuple[Path, bool]], student: str, slug: str, tree: 
     if best := _best(files, slug, lambda entry: read(Submission("", slug, entry, tree)).text):
         others = tuple(printable(entry.name) for entry in best[1:])
         return Submission(_name(student), slug, best[0], tree, others=others)
-    message = f"there is no {slug}.py in the folder; it holds {_listed(entry for entry, _ in held) or 'no file'}"
+    names = _listed(Path(f"{entry.name[:80]} (a folder)") if is_folder else entry for entry, is_folder in held)
+    message = f"there is no {slug}.py in the folder; it holds {names or 'no file'}"
     return Submission(_name(student), slug, None, tree, message)
 
 
@@ -449,7 +448,7 @@ def copy_order(name: str, slug: str) -> tuple[bool, int]:
 
 def _listed(files: Iterable[Path]) -> str:
     """Return the names of the first files, and the number of the others, as text."""
-    seen = [printable(entry.name[:80]) for entry in files]
+    seen = [printable(entry.name[:90]) for entry in files]
     seen[MOST_NAMES:] = [f"{len(seen) - MOST_NAMES} more"] if len(seen) > MOST_NAMES else []
     return ", ".join(seen)
 
@@ -487,6 +486,17 @@ def _best_of_each(work: list[Submission]) -> list[Submission]:
         rivals[submission.key if submission.path else None].append(submission)
     best = {key: min(map(rank, files)) for key, files in rivals.items() if key and files[1:]}
     return [each for each in work if each.path is None or each.key not in best or rank(each) == best[each.key]]
+
+
+def _twins_marked(work: Sequence[Submission]) -> list[Submission]:
+    """Return the submissions; if the names of folders differ only in the encoding of an accent, each gets a mark."""
+    count = collections.Counter(_name(tree.name) for tree in {submission.tree for submission in work})
+    return [
+        replace(each, student=_shortened(f"{each.student}-{_mark(each.tree.name)}"))
+        if count[_name(each.tree.name)] > 1
+        else each
+        for each in work
+    ]
 
 
 def _told_apart(work: list[Submission]) -> list[Submission]:

@@ -1,6 +1,7 @@
 """Each file that a student hands in, under any name, gets a row, or a warning that names the file and the remedy."""
 
 import shutil
+import sys
 import unicodedata
 
 import pytest
@@ -66,6 +67,33 @@ def test_who_may_have_handed_in_what_was_not_placed_gets_no_zero(class_of):
     roster = tree.parent / "roster.csv"
     roster.write_text("login,name\nada,Ada A\nbob,Bo B\ncho,Cy C\ndan,Da D\n")
     assert [item.student for item in not_handed_in(roster, submissions([tree], SLUGS), [tree])] == ["dan"]
+
+
+def test_of_many_stray_files_of_a_student_ten_are_named(class_of):
+    tree = class_of([GRADED[0], *(f"ada/x{k}.py" for k in range(30))])
+    *named, rest = skipped_files([tree], submissions([tree], SLUGS), SLUGS)
+    assert len(named) == 10 and rest.startswith("20 more in submitted/ada")
+
+
+def test_a_folder_called_like_a_module_and_a_hidden_student_are_told(class_of):
+    tree = class_of([GRADED[0], f"ben/{HW08}/{HW08}.py/x", f".cho/{HW08}/{HW08}.py", ".git/hw08.py"])
+    work = submissions([tree], SLUGS)
+    reasons = [item.reason for item in work if item.student == "ben"]
+    assert len(reasons) == 1 and f"it holds {HW08}.py (a folder)" in reasons[0]
+    (warning,) = skipped_files([tree], work, SLUGS)
+    assert warning == "submitted/.cho is not graded: its name begins with .; rename it"
+
+
+@pytest.mark.skipif(sys.platform == "darwin", reason="there, both names are one folder")
+@pytest.mark.parametrize("second", ["def skew(v): return v\n", STUB])
+def test_two_folders_whose_names_look_alike_are_two_rows_and_hold_up_nobody(class_of, second):
+    tree = class_of([GRADED[0], f"jos\u00e9/{HW08}/{HW08}.py"])
+    hand_in(tree, {"jose\u0301": second})
+    work = submissions([tree], SLUGS)
+    names = [item.student for item in work if item.path]
+    assert len(names) == len(set(names)) == 3 and sum(name.startswith("jos\u00e9-") for name in names) == 2
+    (warning,) = skipped_files([tree], work, SLUGS)
+    assert "2 folders in" in warning and "rename" in warning
 
 
 def test_of_two_modules_the_written_one_counts_and_the_other_is_warned_of(class_of):
