@@ -78,7 +78,9 @@ def energy(omega, *, inertia):
     inertia : (A, B, C) kg m^2
     Returns J.
     """
-    return 0.5 * sum(moment * w * w for moment, w in zip(inertia, omega, strict=True))
+    A, B, C = inertia
+    p, q, r = omega
+    return (A * p**2 + B * q**2 + C * r**2) / 2
 
 
 def angular_momentum(R, omega, *, inertia):

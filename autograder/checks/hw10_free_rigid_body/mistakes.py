@@ -221,6 +221,12 @@ def growth_rate_squared(reference, axis, spin, *, inertia):
     return reference(axis, spin, inertia=sorted(inertia))
 
 
+@mistake(first_fails=checks.small_deviations_grow_at_this_rate)
+def growth_rate_squared(reference, axis, spin, *, inertia):
+    """You divide by the square of the inertia about the axis of spin; divide by the product of the two others."""
+    return reference(axis, spin, inertia=inertia) * math.prod(inertia) / inertia[axis] ** 3
+
+
 @mistake(first_fails=checks.period_round_the_last_axis, label="the largest inertia")
 def tumble_period(reference, omega, *, inertia):
     """You return the period of small oscillations about axis 2; the period depends on how far omega swings."""

@@ -481,6 +481,30 @@ def _missing_factors(node: ast.expr) -> Iterator[Edit]:
                 yield Edit(now, MISSING_FACTOR, factor, exact)
 
 
+def _factors_of_one_term(node: ast.expr) -> Iterator[Edit]:
+    """Yield f A + B and A + f B in place of a product f (A + B)."""
+    total = _sum_in(node) if _is_operation(node, ast.Mult, ast.Div) else None
+    if total:
+        left, right = _put_in(node, total, total.left), _put_in(node, total, total.right)
+        words = "the factors of a sum{} multiply only one of its terms, as without parentheses"
+        for now in (_with(total, left=left), _with(total, right=right)):
+            yield Edit(now, words, total, rank=2)
+
+
+def _sum_in(node: ast.expr) -> ast.BinOp | None:
+    """Return the first sum or difference of two terms among the factors of a product, else None."""
+    if _is_operation(node, ast.Mult, ast.Div):
+        return _sum_in(node.left) or (_sum_in(node.right) if isinstance(node.op, ast.Mult) else None)
+    return node if _is_operation(node, ast.Add, ast.Sub) else None
+
+
+def _put_in(node: ast.expr, part: ast.expr, other: ast.expr) -> ast.expr:
+    """Return a product with another expression in place of one of its factors."""
+    if node is part or not isinstance(node, ast.BinOp):
+        return other if node is part else node
+    return _with(node, left=_put_in(node.left, part, other), right=_put_in(node.right, part, other))
+
+
 def _components(node: ast.expr) -> Iterator[Edit]:
     """Yield the list or tuple with one computed element of the opposite sign, or replaced by zero."""
     elements = _elements(node)
@@ -573,6 +597,7 @@ OPERATORS: dict[str, tuple[Operator, ...]] = {  # of the audit, with two more in
 }
 MORE: tuple[Operator, ...] = (  # of diagnosis alone
     _missing_factors,
+    _factors_of_one_term,
     # others name the missing factor of the term, or the number
     *(rule(f"A {sign} B", f"A {sign} 0.5 * B", "a term{} counts half", "B", gives_way=1) for sign in "+-"),
     *(rule(f"A {sign} B", f"0.5 * A {sign} B", "a term{} counts half", "A", gives_way=1) for sign in "+-"),

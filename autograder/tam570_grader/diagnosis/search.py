@@ -128,7 +128,7 @@ def _general(search: Search) -> Cause | None:
     if cause is None:  # any other change of an argument or a result, or the only place where the result is wrong
         forms = other_forms(name, search.reference, search.its_calls[0])
         change = _either_reversed(search) or next(_explaining(forms, search.its_calls), None)
-        cause = _transformed(search, change) or _single_entry(search)
+        cause = _transformed(search, change) or _single_entry(search) or _for_one_sign(search)
     return cause
 
 
@@ -411,6 +411,23 @@ def _single_entry(search: Search) -> Cause | None:
     position = (slice(None),) * (len(form) - len(axes)) + tuple(places[0])
     wrong = partial(_wrong_in_place, search.solution, name, position)
     return Cause(name, f"Your result of {name} is wrong in {where} alone", "place", (wrong,))
+
+
+def _for_one_sign(search: Search) -> Cause | None:
+    """Return the cause if results are wrong exactly where one argument is negative."""
+    signature, calls = inspect.signature(search.reference), search.its_calls
+    if calls[0].case.points:
+        return None
+    arguments = [signature.bind(*call.case.args, **call.case.kwargs).arguments for call in calls]
+    are_wrong = [not call.fits(call.expected) for call in calls]
+    negative = {
+        name: [isinstance(values[name], int | float) and values[name] < 0 for values in arguments]
+        for name in arguments[0]
+    }
+    names = [name for name, where in negative.items() if where == are_wrong]
+    if len(names) != 1 or are_wrong.count(False) < FEWEST:
+        return None
+    return Cause(search.name, f"Your result of {search.name} is wrong only where {names[0]} is negative", "place")
 
 
 def _wrong_in_place(solution: str, name: str, position: tuple[int | slice, ...], call: Call) -> Numbers:

@@ -28,6 +28,7 @@ FORMULAS = {
     "bars(a, b)": "np.array([a**2 / 3, a / 2, b / 2])",
     "sizes(a, b)": "a**2 + b**2 + a",
     "waves(angle, speed, *, inertia)": "np.asarray(inertia) * (np.sin(angle) + speed)",
+    "inside(a, b)": "a * b * (a**2 + b) / 2",
     "grid(x, y)": "np.array([[x, y, 1.0], [x * y, 2.0, y**2], [3.0, x**2, 4.0]])",
 }
 SOLUTION = """import numpy as np
@@ -109,6 +110,7 @@ def cases():
         "powers": [(Case(*pair), {"K": np.array([pair, [pair[1], 2.0]])}) for pair in pairs],
         "bars": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
         "sizes": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
+        "inside": [(Case(*pair), {"a": pair[0], "b": pair[1]}) for pair in pairs],
         "waves": [
             (Case(side * a, v, inertia=(1.0, a, v)), {"s": math.sin(side * a), "v": v, "I": np.array([1.0, a, v])})
             for side, (a, v) in zip((1, -1, 1, -1), pairs, strict=True)
@@ -184,6 +186,8 @@ def calls(function, wrong):
         ("bars", "np.array([a**2/3, a, b])", "every division by 2 is missing"),
         ("sizes", "(a + b)**2 + a", "a sum with a, b is squared as a whole"),
         ("waves", "I*(abs(s) + v)", "a sine or cosine with angle has lost its sign"),
+        ("waves", "I*(s + v)**(1 if s > 0 else 1.1)", "wrong only where angle is negative"),
+        ("inside", "a**2 + a*b*b/2", "the factors of a sum with a, b multiply only one of its terms"),
         ("waves", "s + v + 0*I", "should be multiplied by inertia, component by component"),
         ("grid", "np.array([[x, y, 3], [x*y, 2, y**2], [1, x**2, 4.0]])", "elements (1, 3) and (3, 1) exchanged"),
     ],
