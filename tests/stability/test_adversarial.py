@@ -379,6 +379,19 @@ def test_it_is_right_and_the_same_whatever_ran_before(name):
         assert compiled == pytest.approx(exact, rel=100 * RTOL, abs=100 * RTOL)
 
 
+@pytest.mark.parametrize("decay", [20.0, 32.0, 100.0, 1000.0])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-9, 1e-12])
+def test_the_states_inside_steps_at_the_limit_of_stability_are_right(decay, rtol):
+    def rhs(t, y):
+        return -decay * y[0], -math.sin(t)
+
+    few, many = np.linspace(0, 10, 6), np.linspace(0, 10, 2001)
+    at = solve(rhs, few, [1.0, 1.0], rtol=rtol, dense=True).at
+    runs = [solve(rhs, few, [1.0, 1.0], rtol=rtol, method=method) for method in ("auto", "python")]
+    for t, states in [(many, at(many)), *((few, states) for states in runs)]:
+        assert states == pytest.approx(np.column_stack([np.exp(-decay * t), np.cos(t)]), rel=0, abs=100 * rtol)
+
+
 class Window:
     """A window function that stores its table and its inputs."""
 
@@ -407,6 +420,11 @@ WINDOWS = {
     "round": (lambda x: round(20 * x) == 20, 0.05, 0.025),
     "ceil": (lambda x: np.ceil(20 * x) == 20, 0.05, 0.025),
     "clip": (lambda x: np.clip(x, 1, 1.01) not in (1, 1.01), 0.01, 0.005),
+    "open clip": (lambda x: np.clip(x - 1, 0, None) * np.clip(1.01 - x, a_min=0, a_max=None) > 0, 0.01, 0.005),
+    "ufunc.reduce": (lambda x: np.minimum.reduce([x - 1, 1.01 - x]) > 0, 0.01, 0.005),
+    "functools.reduce": (lambda x: functools.reduce(np.minimum, [x - 1, 1.01 - x]) > 0, 0.01, 0.005),
+    "modf": (lambda x: math.modf(20 * x)[1] == 20, 0.05, 0.025),
+    "numpy.modf": (lambda x: np.modf(np.array([20 * x]))[1][0] == 20, 0.05, 0.025),
     "signs": (lambda x: (np.sign(x - 1) - np.sign(x - 1.01)) / 2, 0.01, 0.005),
     "heaviside": (lambda x: np.heaviside(x - 1, 1) - np.heaviside(x - 1.01, 1), 0.01, 0.005),
     "where": (lambda x: np.where((x > 1) & (x < 1.01), 1.0, 0.0), 0.01, 0.005),

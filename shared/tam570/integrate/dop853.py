@@ -133,6 +133,9 @@ def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
 KEPT = range(5, 12)  # stages of the step that the interpolant uses
 UNIT_ROUNDOFF = 2.0**-53
 AMPLIFIED = 0.5  # relative difference of derivatives at the end: 0.1 if smooth, 2 if h times a decay rate is 6
+# For y' = z y / h, |z| from 6 to 3000, d that difference, S = |k0| + |e8|: inside the step the interpolant errs by
+# about 0.1 to 1 h d^2 / S, by 9 if d nearly vanishes. d / S is at most |z|^4 / 2; if it is larger, a force sets in.
+INSIDE, SETS_IN = 4.0, 1e16
 REACH = 4.0  # change of an argument in a step: 1 - tanh(4) is 7e-4, exp(-4) 0.02, so a pulse is seen from twice as far
 # The root sum squares of the weights of both estimates are less: errors N of the rates cause one of 8 h N.
 ESTIMATE_ROUNDOFF = 8.0
@@ -285,9 +288,7 @@ def _step(formulas: Formulas) -> list[str]:
     for number in range(1, 12):
         lines += _stage(formulas, number, ROWS[number], NODES[number])
     lines += [f"u{i} = {_combination(ROWS[12], i)}" for i in formulas.moving]
-    lines += [*_update(formulas, "(k0_{i} + u{i})"), "fifth = third = 0.0"]
-    for i in formulas.moving:
-        lines += _estimate(i)
+    lines += [*_update(formulas, "(k0_{i} + u{i})"), *_estimates(formulas)]
     return [*lines, f"return {_new_state(formulas)}, fifth, third, {tuple_of(_kept(formulas))}"]
 
 
@@ -306,10 +307,10 @@ def _error_norms(formulas: Formulas) -> list[str]:
     """Return source of `error_norms`: the squared estimates of a tried step for part of the tolerance and a new b."""
     lines = ["def error_norms(h, y, n, f, g, a, b, part, rtol, stages):"]
     lines += unpacked(replace(formulas, constants=0), y="y", n="n", f="k0_", g="k12_", a="a", b="b")
-    lines += [f"{tuple_of(_kept(formulas))} = stages", "fifth = third = 0.0"]
+    lines += [f"{tuple_of(_kept(formulas))} = stages"]
     for i in formulas.moving:
-        lines += [f"a{i} = part * a{i}", f"u{i} = {_combination(ROWS[12], i)}", *_estimate(i)]
-    return [*lines, "return fifth, third"]
+        lines += [f"a{i} = part * a{i}", f"u{i} = {_combination(ROWS[12], i)}"]
+    return [*lines, *_estimates(formulas), "return fifth, third"]
 
 
 def _kept(formulas: Formulas) -> list[str]:
@@ -327,11 +328,20 @@ def _update(formulas: Formulas, rate: str) -> list[str]:
     return [*lines, *(f"s{i} = n{i}" for i in sorted(formulas.reads)), *_derivative(formulas, 12, "start + h")]
 
 
+def _estimates(formulas: Formulas) -> list[str]:
+    """Return lines that set both squared error estimates; an unstable step has an error of 6 to 60 tolerances."""
+    lines = ["fifth = third = 0.0", "is_unstable = False"]
+    for i in formulas.moving:
+        lines += _estimate(i)
+    return [*lines, "if is_unstable:", "    fifth += 36.0 + 6.0 * sqrt(third)"]  # about half the step is tried next
+
+
 def _estimate(i: int) -> list[str]:
     """Return lines that add component i to both error estimates.
 
     Stage 11 is at the end of the step, like the new state. If their derivatives differ, the step is outside the region
-    of stability: the error of a decaying component may be small at the end of the step and large inside.
+    of stability: the error of a decaying component may be small at the end of the step and large inside, where the
+    interpolant amplifies it further.
     """
     return [
         f"m = abs(y{i})",
@@ -343,8 +353,10 @@ def _estimate(i: int) -> list[str]:
         f"x = w * (u{i} + {_combination(LESS, i)})",
         "third += x * x",
         f"d = abs(e11_{i} + k0_{i} - k12_{i})",
-        f"if w * d > 1.0 and a{i} > {NO_SCALE!r} and d > {AMPLIFIED!r} * (abs(k0_{i}) + abs(k12_{i}) + abs(e8_{i})):",
-        "    fifth += 36.0 + 6.0 * sqrt(third)",  # an error of 6 to 60, so that about half the step is tried next
+        f"x = abs(k0_{i}) + abs(e8_{i})",
+        f"inside = w * d * d > {INSIDE!r} * x and {SETS_IN!r} * x > d",
+        f"if (w * d > 1.0 or inside) and a{i} > {NO_SCALE!r} and d > {AMPLIFIED!r} * (x + abs(k12_{i})):",
+        "    is_unstable = True",
     ]
 
 
