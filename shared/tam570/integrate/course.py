@@ -25,6 +25,7 @@ from tam570.values import Function, Numbers
 FOREIGN = tuple(sysconfig.get_paths()[name] for name in ("stdlib", "platstdlib", "purelib", "platlib"))
 OURS = "tam570"
 FILLED = {"zeros", "ones", "empty", "full", "zeros_like", "ones_like", "empty_like", "full_like"}
+IN_PAIRS = {"modf", "divmod"}  # functions that return two numbers
 SATURATING = {"exp", "exp2", "expm1", "tanh", "erf", "erfc", "sinh", "cosh", "expit"}
 BY_BITS = {"spacing", "nextafter", "ulp", "arange"}  # functions with jumps at points that no value reveals
 INSIDE = 1e-9  # of the first interval, the point at which numbers are rounded
@@ -165,6 +166,13 @@ def _recorded(part: Function, x: Numbers) -> Numbers:
     return course.record(part, x)
 
 
+def _clip(x: Numbers, a_min: Numbers = None, a_max: Numbers = None, **limits: Numbers) -> Numbers:
+    """Return numpy.clip of a number or symbol; limits : min and max, other names of a_min and a_max."""
+    low, high = limits.get("min", a_min), limits.get("max", a_max)
+    x = x if low is None else max(x, low)
+    return x if high is None else min(x, high)
+
+
 # Functions that decide, and parts of complex numbers, by their name in math or NumPy.
 DECIDING: dict[str, Function] = {
     "sign": lambda x: _sign(x),
@@ -173,7 +181,9 @@ DECIDING: dict[str, Function] = {
     **dict.fromkeys(("fabs", "absolute", "abs"), abs),
     **dict.fromkeys(("maximum", "fmax"), max),
     **dict.fromkeys(("minimum", "fmin"), min),
-    "clip": lambda x, low, high: min(max(x, low), high),
+    "clip": _clip,
+    "modf": lambda x: (x - math.trunc(x), 1.0 * math.trunc(x)),
+    "divmod": divmod,
     "floor": math.floor,
     "ceil": math.ceil,
     **dict.fromkeys(("trunc", "fix"), math.trunc),
@@ -280,9 +290,10 @@ def _lifted(function: Function) -> Function:
         tape.opaque = name if name in BY_BITS else tape.opaque
         if name in DECIDING:
             decide = functools.partial(DECIDING[name], **keywords)
-            return decide(*arguments) if scalars else np.frompyfunc(decide, len(arguments), 1)(*arguments)
+            by_component = np.frompyfunc(decide, len(arguments), 1 + (name in IN_PAIRS))
+            return decide(*arguments) if scalars else by_component(*arguments)
         smooth = getattr(np, NUMPY_NAMES.get(name, name), None)
-        if scalars and not keywords and isinstance(smooth, np.ufunc):
+        if scalars and not keywords and isinstance(smooth, np.ufunc) and smooth.nout == 1:
             tape.note_levels(symbols[0], *EDGES.get(name, ()))
             if name == "tan":
                 tape.denominators.append(tape.record(np.cos, *arguments).number)
@@ -295,6 +306,8 @@ def _lifted(function: Function) -> Function:
                 pass
         return _joined(tape, _point_by_point(tape, function, symbols, arguments, keywords))
 
+    if isinstance(function, np.ufunc):  # these compare or add the symbols in an array
+        vars(lifted).update(reduce=function.reduce, accumulate=function.accumulate, outer=function.outer)
     return lifted
 
 
@@ -362,7 +375,7 @@ def _substitute(value: Numbers) -> Numbers:
     if isinstance(value, types.ModuleType):
         return Module(value, lambda used: substituted(used, _substitute, STAND_INS))
     if isinstance(value, types.BuiltinFunctionType):
-        return value if value.__module__ == "builtins" else _lifted(value)
+        return value if value.__module__ in ("builtins", "_functools", "_operator") else _lifted(value)
     if isinstance(value, types.FunctionType):
         return _lifted(value) if _is_foreign(value) else value
     if isinstance(value, functools._lru_cache_wrapper):

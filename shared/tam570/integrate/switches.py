@@ -16,6 +16,7 @@ from tam570.integrate.arguments import Array
 from tam570.integrate.course import Course, along
 from tam570.integrate.dop853 import REACH
 from tam570.integrate.rates import Rates
+from tam570.integrate.trace import refusal_of
 from tam570.integrate.watch import chatter
 from tam570.values import Numbers
 
@@ -115,7 +116,7 @@ class Switches:
             if part == 0.0 and not self.leaving:
                 self.leaving = self._leave(start, h, shortest, *path)
         except Exception as reason:  # a function that fails with symbols is called with numbers only
-            self.reason = f"{type(reason).__name__}: {reason}"
+            self.reason = refusal_of(reason)
             part, ahead, is_exact = math.inf, math.inf, False
         if self.unseen_reason and 2.0 * self.span / UNSEEN < min(part, 1.0) * h:
             return self.span / UNSEEN

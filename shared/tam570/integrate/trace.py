@@ -50,7 +50,7 @@ class Tape:
 
     def sign(self, x: "Symbol") -> float:
         """Return the sign of x, by which the function decides; raise Untraceable if it is unknown, as here."""
-        raise Untraceable("depends on the value of the state")
+        raise Untraceable("it depends on the value of the state")
 
     def rounded(self, x: "Symbol", half: float = 0.0) -> float:
         """Return x rounded down to an integer, or to the nearest one with half = 0.5."""
@@ -148,7 +148,7 @@ SIMPLIFIED: dict[str, Function] = {
 
 
 def _refuse(*_: Numbers) -> Numbers:
-    raise Untraceable("depends on the value of the state")
+    raise Untraceable("it depends on the value of the state")
 
 
 class Symbol:
@@ -284,7 +284,13 @@ def _refusal(answer: Exception) -> Exception:
         if isinstance(cause, Untraceable):  # the function may have raised another error from it
             return Untraceable(str(cause))
         cause = cause.__cause__ or cause.__context__
-    return Untraceable(f"{type(answer).__name__}: {answer}") if isinstance(answer, ANSWERS) else answer
+    return Untraceable(refusal_of(answer)) if isinstance(answer, ANSWERS) else answer
+
+
+def refusal_of(answer: Exception) -> str:
+    """Return what a function does that does not accept symbols."""
+    raised = f"it accepts only numbers; for a symbol it raises {type(answer).__name__}: {answer}"
+    return str(answer) if isinstance(answer, Untraceable) else raised
 
 
 class Module:
@@ -302,7 +308,7 @@ class Module:
 def _checked_isinstance(value: Numbers, kinds: Numbers) -> bool:
     """Stand in for isinstance; raise Untraceable for a symbol, whose type is unknown."""
     if isinstance(value, Symbol):
-        raise Untraceable("depends on the type of the state's components")
+        raise Untraceable("it depends on the type of the state's components")
     return isinstance(value, kinds)
 
 
