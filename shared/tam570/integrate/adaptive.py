@@ -285,7 +285,10 @@ def _cause(run: Run, last: State) -> str:
     if run.engine.is_traced and is_smooth and left < NEARBY * step:
         raise Mistraced  # 0/0 at a time that only a traced run evaluates
     if not max(earlier, later) < jump / 10:
-        return f"the largest rate is {max(map(abs, last.f)):.3g}, and the solution or its rates become infinite"
+        return (
+            f"the largest rate is {max(map(abs, last.f)):.3g}, and the solution or its rates become infinite, or have "
+            "a pulse that is hardly longer than the rounding of time or state"
+        )
     return (
         f"the rates jump by {jump:.3g}, which moves the solution by {jump * step:.1g} within the shortest step that "
         f"this time allows, {step:.1g} s. If it is a pulse, let the clock begin there, or make it longer; or give a "

@@ -350,7 +350,10 @@ def step_by_step(run: adaptive.Run) -> None:
 
 def _projected(run: adaptive.Run, state: State, project: Callable[[Array], Numbers]) -> State:
     """Return the state after projection, with the derivative there."""
-    y = tuple(np.asarray(project(np.array(state.y)), dtype=float).tolist())
+    returned = project(np.array(state.y))
+    if returned is None or np.shape(returned) != (len(state.y),):
+        raise ValueError(f"project: must return a state of {len(state.y)} numbers, got {returned!r}")
+    y = tuple(np.asarray(returned, dtype=float).tolist())
     f = run.engine.functions["rhs"](run.origin + state.t, y, run.engine.constants)
     return state._replace(y=y, r=(0.0,) * len(y), f=f)
 

@@ -52,7 +52,12 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
 
     sign : -1 if the engine's time is -t
     """
-    at_start, repeated = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
+    try:
+        at_start, repeated = (_checked(rates(t, y0.copy()), len(y0)) for _ in range(2))
+    except Exception as error:
+        if not isinstance(error, RhsError):
+            error.add_note(f"solve: rhs raises this at the start, t = {sign * t + 0.0:g}, y = {y0.tolist()}")
+        raise
     if not np.isfinite(at_start).all():
         raise ValueError(f"rhs: gives {at_start} at the start, t = {sign * t + 0.0:g}; is the start allowed?")
     if (at_start != repeated).any():
@@ -212,7 +217,7 @@ def _checked(value: Numbers, size: int) -> Array:
         raise RhsError(f"rhs: must return numbers, got masked ones: {value!r}")
     if np.iscomplexobj(rates_array):
         raise RhsError(f"rhs: must return real numbers, got {rates_array}")
-    if rates_array.dtype == object and None in rates_array.tolist():
+    if rates_array.dtype.kind in "USO" and any(isinstance(rate, str | bytes | None) for rate in rates_array.tolist()):
         raise RhsError(f"rhs: must return numbers, got {value!r}")
     try:
         return rates_array.astype(float)

@@ -27,6 +27,8 @@ _BERNOULLI = (
     43867 / 5109094217170944000,
 )
 
+ORTHOGONAL = 1e-6  # error of R^T R, up to which R is a rotation whose numbers were rounded
+
 
 def solve_rotation(
     acceleration: Function,
@@ -63,7 +65,8 @@ def solve_rotation(
     Raises
     ------
     ValueError
-        If an argument has another shape or is not finite, t is not monotonic, or rtol is not between 0 and 1.
+        If an argument has another shape or is not finite, t is not monotonic, R is no rotation, or rtol is not between
+        0 and 1.
     ArithmeticError
         If acceleration or solution is no longer finite; the message gives the time.
 
@@ -78,6 +81,10 @@ def solve_rotation(
     for name, numbers, shape in (("omega", spinning, (3,)), ("R", turned, (3, 3))):
         if numbers.shape != shape or not np.isfinite(numbers).all():
             raise ValueError(f"{name}: need finite numbers of shape {shape}, got {numbers}")
+    if not (np.abs(turned.T @ turned - np.eye(3)).max() < ORTHOGONAL and np.linalg.det(turned) > 0):
+        raise ValueError(
+            f"R: must be a rotation, R^T R = I with determinant 1, got {turned}; try tam570.rotations.nearest(R)"
+        )
 
     def rates(time: Numbers, state: Numbers) -> list[Numbers]:
         spin, u = state[:3], state[3:6]

@@ -4,9 +4,9 @@ rtol, atol
     If you omit atol, it is a quarter of rtol times the scale of each component: its size at the start, or, if it starts
     at zero, the size to which its rate, time or other components first move it. If a pulse then moves it so far beyond
     this scale that round-off allows no step, the scale grows to the size of this motion. `report` returns atol. Errors
-    that round-off causes in any case are tolerated, so rtol = 1e-14 gives all digits that round-off permits. If a
-    component falls far below its atol and then grows again, as in y' = (t - 10) y, its error grows by the same factor:
-    give atol=0.
+    that round-off causes in any case are tolerated, so rtol = 1e-14 gives all digits that round-off permits, and
+    any smaller rtol acts like it. If a component falls far below its atol and then grows again, as in y' = (t - 10) y,
+    its error grows by the same factor: give atol=0.
 method
     "auto" starts like "python", counts its steps, and starts again like "compiled" (with llvmlite, if installed) if so
     many steps remain that compilation is worthwhile. With events or dense it is always "python". The same call gives
@@ -132,7 +132,8 @@ def solve(
     project : callable, optional
         project(y) returns the nearest allowed state; `solve` applies it after every step, for holonomic constraints.
     events : callable or list of callables, optional
-        `event(t, y, **parameters)` returns a number; `solve` finds its zeros, as SciPy's solve_ivp does.
+        `event(t, y, **parameters)` returns a number; `solve` finds where it crosses zero, after t[0] (SciPy's
+        solve_ivp also returns a zero at t[0]).
     dense, report : bool
         Also return the motion as a function of time; also return statistics of the run.
 
@@ -233,7 +234,7 @@ def prepared(
     Returns
     -------
     callable
-        run(y0) returns the same states as `solve`.
+        run(y0) returns the states of `solve` within the tolerance; it may use compiled code where `solve` uses Python.
 
     Examples
     --------

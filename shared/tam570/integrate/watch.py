@@ -133,10 +133,11 @@ def watch_for_end(
 
 
 def chatter(t: float, y: Sequence[float]) -> ArithmeticError:
-    """Return the error for a motion that stays at a discontinuity of the rates."""
+    """Return the error for a motion that stays at a discontinuity of the rates, or finds the next one at once."""
     return ArithmeticError(
-        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump, or are infinitely "
-        "steep. Friction that holds a body at rest has no rate there: stop at an event, or smooth the jump"
+        f"the rates jump to and fro at t = {t:.9g}, y = {list(y)}: the motion stays where they jump or are infinitely "
+        "steep, or rhs counts in tiny units, as t // 1e-6 does. If friction holds a body at rest, it has no rate: "
+        "stop at an event, or smooth the jump. If rhs counts, compare t with both ends of an interval instead"
     )
 
 

@@ -128,6 +128,8 @@ ROCKET = {"rhs": rocket.rates, "y0": rocket.START, "parameters": rocket.EXAMPLE}
         ({"rhs": lambda t, y: [[1.0, 2.0], 3.0]}, "^rhs: must return 2 numbers"),
         ({"rhs": lambda t, y: 1j * np.asarray(y)}, "^rhs: must return real"),
         ({"rhs": lambda t, y: (math.nan, 0.0)}, "^rhs: gives"),
+        ({"rhs": lambda t, y: ("1.0", 0.0)}, "^rhs: must return numbers"),
+        ({"project": lambda y: None}, "^project: must return a state of 2 numbers, got None"),
         ({"method": "gauss", "step": -1.0}, "^step: must be"),
         ({"method": "gauss", "step": math.inf}, "^step: must be"),
         ({"step": 0.1}, '^step: goes with method "gauss" or "composition" alone'),
@@ -149,11 +151,19 @@ def test_bad_input_is_named_with_its_remedy(change, message):
         solve(**{"rhs": oscillator, "t": [0, 1], "y0": [1.0, 0.0], **change})
 
 
+def test_an_error_of_rhs_at_the_start_is_kept_with_time_and_state():
+    with pytest.raises(ZeroDivisionError) as raised:
+        solve(lambda t, y: (y[1], 1.0 / t), [0, 1], [1.0, 0.0])
+    assert raised.value.__notes__ == ["solve: rhs raises this at the start, t = 0, y = [1.0, 0.0]"]
+
+
 @pytest.mark.parametrize(
     ("change", "message"),
     [
         ({"R": np.eye(2)}, "^R: need finite numbers of shape"),
         ({"R": np.full((3, 3), math.nan)}, "^R: need finite numbers of shape"),
+        ({"R": 2 * np.eye(3)}, "^R: must be a rotation"),
+        ({"R": -np.eye(3)}, "^R: must be a rotation"),
         ({"omega": (1.0, 0.0)}, "^omega: need finite numbers of shape"),
         ({"omega": (math.inf, 0.0, 0.0)}, "^omega: need finite numbers of shape"),
         ({"t": [0.0]}, "^t: need"),
