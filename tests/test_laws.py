@@ -142,6 +142,7 @@ EMPTY = {
     "None": "def {f}(*args, **kwargs): return None",
     "NaN": "def {f}(*args, **kwargs): return {nan}",
     "zeros": "def {f}(*args, **kwargs): return {zeros}",
+    "nearly zeros": "def {f}(*args, **kwargs): return {tiny}",
     "an empty list": "def {f}(*args, **kwargs): return []",
     "a string": "def {f}(*args, **kwargs): return 'x'",
     "the first input": "def {f}(*args, **kwargs): return args[0] if args else None",
@@ -159,11 +160,12 @@ NOTHING = [
 @pytest.mark.parametrize(("slug", "what"), NOTHING)
 def test_what_says_nothing_scores_nothing(slug, what, grade, course):
     results = assignments.assignment(course, slug).returns
+    numbers = {"zeros": "0.", "tiny": "5e-324", "nan": "float('nan')"}
     text = "\n".join(
-        EMPTY[what].format(f=name, zeros=filled(returns, "0."), nan=filled(returns, "float('nan')"))
+        EMPTY[what].format(f=name, **{key: filled(returns, number) for key, number in numbers.items()})
         for name, returns in results.items()
     )
-    result = grade(slug, text, naming=False)
+    result = grade(slug, text, naming=what == "nearly zeros")
     assert result.score == 0, failures(result)
 
 

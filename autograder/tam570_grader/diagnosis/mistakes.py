@@ -207,7 +207,7 @@ def explains(solution: str, answer_to: Answer, calls: Sequence[Call]) -> bool:
         if expected is None or not same(call.result, expected, tolerance):
             return False
         wrong = wrong or not same(expected, correct, tolerance)
-        informative = informative or any(np.any(part) for part in parts(call.result))
+        informative = informative or largest(call.result) > CANCELLED
     return wrong and informative
 
 

@@ -10,6 +10,7 @@ from functools import partial
 from types import SimpleNamespace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
 from tam570.meter import Exhausted
@@ -20,7 +21,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
-from tam570_grader.checks.motions import OF_ROWS, OF_TIMES
+from tam570_grader.checks.motions import OF_ROWS, OF_TIMES, flat
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.checks.trajectory import SETTING_OFF
@@ -28,11 +29,13 @@ from tam570_grader.diagnosis.cause import Cause
 from tam570_grader.diagnosis.diagnose import diagnose, follows, is_refuted
 from tam570_grader.diagnosis.helper_factor import same_factor
 from tam570_grader.diagnosis.mistakes import (
+    CANCELLED,
     WITHIN,
     answer,
     computed,
     explains,
     is_motion,
+    largest,
     right_answer,
     same,
     solution_with,
@@ -94,6 +97,7 @@ class _Run:
     causes: dict[str, Cause] = field(default_factory=dict)
     unnamed: list[Unnamed] = field(default_factory=list)
     passing: list[Call] = field(default_factory=list)  # calls of checks that passed
+    failing: list[Call] = field(default_factory=list)  # calls of checks that failed
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; `student.calls` then contains only this check's calls."""
@@ -209,12 +213,13 @@ def _check_result(run: _Run, check: Check) -> CheckResult:
     except NotWritten as unwritten:
         return _not_run(check, student.describe_missing(str(unwritten)), unwritten=str(unwritten))
     except Failed as failed:
+        run.failing.extend(student.calls)
         cause, fault = _cause(run, check, failed) if options.naming else (None, "")
         if options.naming and not (cause and cause.follows_from) and (source := _shared_helper(run, cause, failed)):
             cause = replace(source, answers=cause.answers, calls=cause.calls) if cause else source
         if cause and cause.message and _is_told_before(run, check, cause):
             cause = replace(cause, message="", follows_from=cause.function)
-        if cause:
+        if cause := _earned(run, cause):
             run.causes[check.name] = cause
         else:
             run.unnamed.append((check, failed, tuple(student.calls)))
@@ -326,18 +331,19 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     causes = [cause for cause in run.causes.values() if not cause.follows_from]
     zeros = {cause.function for cause in causes if cause.source == "result" and not cause.answers}
     zeros -= {cause.function for cause in causes if cause.answers}  # these return zeros only in special cases
+    sources = {wrong, *(cause.function for cause in run.causes.values() if cause.follows_from == wrong)}
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
-        used = (names_reached(text, name) & assignment.returns.keys()) - {name}
+        used, called = (names_reached(text, name) & assignment.returns.keys()) - {name}, set[str]()
         if wrong not in used or used & zeros:
             continue
         module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
         for function in used:
-            setattr(module, function, partial(_call_aside, getattr(run.student, function)))
+            setattr(module, function, partial(_call_aside, called, getattr(run.student, function)))
         try:
             with budget():
-                if explains(assignment.solution, partial(computed, module), calls):
+                if explains(assignment.solution, partial(computed, module), calls) and called & sources:
                     return True
         except Exception:  # a solution may raise anything when a function that it calls is wrong
             continue
@@ -443,11 +449,45 @@ def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
     return parts(answer) if isinstance(result, tuple) else [np.asarray(answer, float)]
 
 
-def _call_aside(function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
+def _call_aside(called: set[str], function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
+    called.add(function.name)
     try:
         return function.aside(Case(*args, **kwargs))
     except Failed as failed:  # `computed` turns ValueError into "no value"
         raise ValueError(str(failed)) from failed
+
+
+def _earned(run: _Run, cause: Cause | None) -> Cause | None:
+    """Return the cause, but without a share if the function, or the one with the mistake, ignores its inputs."""
+    if cause and cause.follows_from and any(_is_constant(run, name) for name in (cause.function, cause.follows_from)):
+        return replace(cause, follows_from="") if cause.message else None
+    return cause
+
+
+def _is_constant(run: _Run, name: str) -> bool:
+    """Return whether a function gives the same numbers, or rows, for all inputs, although the right ones differ."""
+    calls = [call for call in (*run.failing, *run.passing) if call.name == name and call.result is not None]
+    calls = [call for call in calls if not _is_drawn(run.assignment, call)]
+    with suppress(Exhausted, *UNFIT), budget():
+        if calls and not _differ(calls, [call.result for call in calls]):
+            expected = [right_answer(run.assignment.solution, call) for call in calls]
+            known = [(call, right) for call, right in zip(calls, expected, strict=True) if right is not None]
+            return bool(known) and _differ(*zip(*known, strict=True))
+    return False
+
+
+def _differ(calls: Sequence[Call], results: Sequence[Numbers]) -> bool:
+    """Return whether numbers differ from call to call, between the rows of a motion, or between points, visibly."""
+    rows = list[NDArray[np.float64]]()
+    for call, result in zip(calls, results, strict=True):
+        if is_motion(call):
+            rows.extend(flat(result) - flat(result)[0])
+        else:
+            numbers = np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)])
+            rows.extend(numbers[:, None] if call.case.points else [numbers])
+    fewest = min(map(len, rows))
+    numbers = np.array([row[:fewest] for row in rows])
+    return not np.ptp(numbers, axis=0).max(initial=0.0) <= CANCELLED * max(1.0, np.abs(numbers).max(initial=0.0))
 
 
 def _has_failed(result: CheckResult | None) -> bool:
@@ -473,8 +513,9 @@ def _tell_what_followed(run: _Run, check: Check) -> None:
     for before, failed, calls in [*run.unnamed]:
         allowed = {before.function, *run.assignment.forbidden.get(before.function, ())}.isdisjoint([check.function])
         is_alone = {call.name for call in calls} == {before.function}
-        if allowed and is_alone and _is_consequence(run, check.function, calls):
-            _tell(run, (before, failed, calls), Cause(before.function, "", "own", follows_from=check.function))
+        cause = Cause(before.function, "", "own", follows_from=check.function)
+        if allowed and is_alone and _is_consequence(run, check.function, calls) and _earned(run, cause):
+            _tell(run, (before, failed, calls), cause)
 
 
 def _tell(run: _Run, unnamed: Unnamed, cause: Cause) -> None:
@@ -522,8 +563,7 @@ def _judge_consequences(run: _Run) -> None:
 def _is_right_once(assignment: LoadedAssignment, calls: Sequence[Call]) -> bool:
     """Return whether a call gave the right numbers, other than zeros."""
     return any(
-        call.result is not None
-        and any(np.any(part) for part in parts(call.result))
+        largest(call.result) > CANCELLED
         and same(call.result, answer(assignment.solution, "", call), tolerance_of(call))
         for call in calls
         if not _is_drawn(assignment, call)
@@ -542,7 +582,8 @@ def _consequence(run: _Run, check: Check, unclear: Container[str]) -> CheckResul
         hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
         cause = _following(run, check, _earlier(run.causes)) or next(hung, None) or _own_source(run, check, failed)
         cause = cause or _shared_helper(run, None, failed) or _memory(run, failed)
-        if cause is None:
+        run.failing.extend(run.student.calls)
+        if (cause := _earned(run, cause)) is None:
             return None
         run.causes[check.name] = cause
         return _failed(check, failed, cause)

@@ -86,6 +86,18 @@ def test_a_motion_without_bounds_is_that_of_its_rates():
     assert motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
 
 
+def test_rows_far_off_do_not_follow_from_rates_with_which_only_two_times_are_integrated():
+    def grown(t, start, rate=-1):
+        return start * np.exp(rate * (t - t[0]))[:, None]
+
+    student = SimpleNamespace(
+        aside=lambda case: grown(*case.args, 60) if len(case.args[0]) == 2 else 1e9 * np.arange(1, 12)[:, None]
+    )
+    case = Case(np.linspace(0, 1, 11), RESTED[:1])
+    wrong = ComparedMotion(case, student.aside(case), grown(*case.args), np.ones(1), student, grown)
+    assert not motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
+
+
 @pytest.mark.parametrize("slip", [1.0, 1.1])
 def test_rows_on_a_constraint_follow_from_wrong_rates_unless_the_motion_adds_a_slip(slip):
     def on_parabola(t, start, rate=1.0):

@@ -414,3 +414,20 @@ def test_what_is_kept_between_calls_is_told_if_the_first_call_is_right(checked, 
     actual = checked("hw09_book", more=KEEPING.format(sign))
     told = [check for check in actual.values() if check.suspect and "from one call to the next" in check.suspect]
     assert len(told) == len(pairs) and pairs <= following(actual)
+
+
+NO_MATRIX = """
+
+def skew(v):
+    return np.outer(v, v)
+
+def rotate(r, axis, angle):
+    return np.cross(axis, r) * (1.0 + angle) + np.sqrt(np.abs(r))
+
+def rotation_matrix(axis, angle):
+    return np.column_stack([rotate(unit, axis, angle) for unit in np.eye(3)])
+"""
+
+
+def test_what_follows_from_one_wrong_function_follows_from_no_other(checked):
+    assert ("rotation_matrix", "skew") not in following(checked("hw08_axis_angle", more=NO_MATRIX))
