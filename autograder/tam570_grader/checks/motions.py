@@ -350,14 +350,14 @@ class Rates:
     at : (t, row) -> rates of the first or the last columns; the other columns have the right rates
     move : returns whether the motion changes if these rates do
     back : the student's function that projects a state onto a constraint
-    right : the right rates, of the same columns
+    truth : the right rates, of the same columns
     doubled : (index, case) -> the motion if one of the student's rates is doubled; None if there is none
     """
 
     at: Callable[[float, Array], Numbers]
     move: Callable[[], bool]
     back: Callable[[Array], Numbers] | None = None
-    right: Callable[[float, Array], Numbers] | None = None
+    truth: Callable[[float, Array], Numbers] | None = None
     doubled: Callable[[int, Case], Numbers] | None = None
 
     def models(self, t: float, row: Array, rate: Array, instant: float) -> Array:
@@ -414,18 +414,18 @@ def _would_set_off(motion: ComparedMotion, rates: Rates) -> bool:
 
     For an instant its effect is linear in each of them, also if the rows are projected onto a constraint.
     """
-    if not rates.right or not rates.doubled:
+    if not rates.truth or not rates.doubled:
         return False
     off = list[Array]()
     for row in _some(motion, ASKED):
         t, rate, expected = _set_off(motion, row)
-        own, right = (np.ravel(each(t[0], motion.expected[row])) for each in (rates.at, rates.right))
+        student, true = (np.ravel(each(t[0], motion.expected[row])) for each in (rates.at, rates.truth))
         case, would_be = motion.case.replace(t, *_restart(motion, motion.expected[row])), rate.copy()
-        for index in np.flatnonzero(~np.isclose(own, right)):
-            rows = rates.doubled(int(index), case) if own[index] else None
+        for index in np.flatnonzero(~np.isclose(student, true)):
+            rows = rates.doubled(int(index), case) if student[index] else None
             if rows is None:
                 return False
-            would_be += (right[index] / own[index] - 1) * (np.diff(flat(rows), axis=0)[0] / np.ptp(t) - rate)
+            would_be += (true[index] / student[index] - 1) * (np.diff(flat(rows), axis=0)[0] / np.ptp(t) - rate)
         off.append(np.max(np.abs([would_be, rate] - expected) / motion.scales, axis=1))
     unexplained, wrong = np.max(off, axis=0)
     return bool(unexplained < ALIKE * wrong)

@@ -79,10 +79,10 @@ class Mutant:
 Node = TypeVar("Node", bound=ast.AST)
 Operator = Callable[[ast.expr], Iterable[Edit]]
 Code = Any  # a part of a syntax tree: a node, a list of nodes, or a name
-Words = str | Callable[[ast.expr], str]  # for any term, or of a term
+Wording = str | Callable[[ast.expr], str]  # for any term, or of a term
 
 
-def rule(right: str, wrong: str, words: Words = "", term: str = "", rank: int = 1, gives_way: int = 0) -> Operator:
+def rule(right: str, wrong: str, words: Wording = "", term: str = "", rank: int = 1, gives_way: int = 0) -> Operator:
     """Return the operator that yields the wrong code in place of the right one; capital letters are any expressions.
 
     The same letter is the same expression, NUMBER a number, and IT the whole expression. A function, such as `sin`, may
@@ -94,22 +94,22 @@ def rule(right: str, wrong: str, words: Words = "", term: str = "", rank: int = 
     node_type = type(right_code), type(getattr(right_code, "op", None))
 
     def edits(node: ast.expr) -> tuple[Edit, ...]:
-        found = {"IT": node}
-        if node_type != (type(node), type(getattr(node, "op", None))) or not _has_form(right_code, node, found):
+        bound = {"IT": node}
+        if node_type != (type(node), type(getattr(node, "op", None))) or not _has_form(right_code, node, bound):
             return ()
-        about = found[term or "IT"]
+        about = bound[term or "IT"]
         text = words if isinstance(words, str) else words(about)
-        return (Edit(_filled(wrong_code, found), text, about, rank=rank, gives_way=gives_way),)
+        return (Edit(_filled(wrong_code, bound), text, about, rank=rank, gives_way=gives_way),)
 
     return edits
 
 
-def _has_form(form: Code, part: Code, found: dict[str, ast.expr]) -> bool:
-    """Return whether a part of the code has this form; put the expressions at the form's names into `found`."""
+def _has_form(form: Code, part: Code, bound: dict[str, ast.expr]) -> bool:
+    """Return whether a part of the code has this form; put the expressions at the form's names into `bound`."""
     if isinstance(form, ast.Name):
         if not isinstance(part, ast.expr):
             return False
-        first = found.setdefault(form.id, part)
+        first = bound.setdefault(form.id, part)
         if form.id == "NUMBER":
             return isinstance(part, ast.Constant)
         is_any = form.id == "np" or form.id.isupper()
@@ -119,21 +119,21 @@ def _has_form(form: Code, part: Code, found: dict[str, ast.expr]) -> bool:
     if type(form) is not type(part):
         return False
     if isinstance(form, list):
-        return len(form) == len(part) and all(_has_form(*pair, found) for pair in zip(form, part, strict=True))
+        return len(form) == len(part) and all(_has_form(*pair, bound) for pair in zip(form, part, strict=True))
     if isinstance(form, ast.AST):
         names = (name for name in form._fields if name not in ("ctx", "keywords"))
-        return all(_has_form(getattr(form, name), getattr(part, name), found) for name in names)
+        return all(_has_form(getattr(form, name), getattr(part, name), bound) for name in names)
     return bool(form == part)  # the name of an attribute
 
 
-def _filled(form: Code, found: Mapping[str, ast.expr]) -> Code:
-    """Return the form with the found expressions in place of its names."""
+def _filled(form: Code, bound: Mapping[str, ast.expr]) -> Code:
+    """Return the form with the bound expressions in place of its names."""
     if isinstance(form, ast.Name):
-        return found.get(form.id, form)
+        return bound.get(form.id, form)
     if isinstance(form, list):
-        return [_filled(part, found) for part in form]
+        return [_filled(part, bound) for part in form]
     if isinstance(form, ast.AST):
-        return _with(form, **{name: _filled(part, found) for name, part in ast.iter_fields(form)})
+        return _with(form, **{name: _filled(part, bound) for name, part in ast.iter_fields(form)})
     return form
 
 

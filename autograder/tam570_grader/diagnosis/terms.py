@@ -37,7 +37,7 @@ def named_mutants(source: str) -> list[NamedMutant]:
     """Return the mutants of a module with the words for their terms, those of a low rank first."""
     components, quantities_of, documented = unpacked(source), _quantities(source), _documented(source)
 
-    def named(mutant: Mutant) -> NamedMutant:
+    def with_names(mutant: Mutant) -> NamedMutant:
         quantities = quantities_of[mutant.function]
         term = mutant.product if isinstance(mutant.term, ast.Constant | ast.UnaryOp) else mutant.term
         behind = _behind(term, quantities)
@@ -45,7 +45,7 @@ def named_mutants(source: str) -> list[NamedMutant]:
         arguments = {name: components.get(name, name) for name in names}
         return NamedMutant(mutant.function, mutant.edit, arguments, _exact(mutant, quantities), mutant.text)
 
-    return sorted(map(named, mutants_of(source)), key=lambda mutant: mutant.edit.rank)
+    return sorted(map(with_names, mutants_of(source)), key=lambda mutant: mutant.edit.rank)
 
 
 def _behind(term: ast.expr, quantities: Mapping[str, ast.expr]) -> set[str]:

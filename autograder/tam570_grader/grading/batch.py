@@ -132,8 +132,8 @@ def _task(config: RunConfig, code: Callable[[str], bytes], submission: Submissio
     seed = config.seed if config.key is None else derive(config.key, submission.student, submission.slug)
     text = source.text if isinstance(source, Source) else str(source).encode()
     form = type(source).__name__ + (".ipynb" if isinstance(source, Source) and source.notebook else "")
-    note = source.note if isinstance(source, Source) else ""
-    words = form, submission.student, submission.slug, str(seed), note
+    remark = source.remark if isinstance(source, Source) else ""
+    words = form, submission.student, submission.slug, str(seed), remark
     parts = *map(str.encode, words), text, code(submission.slug)  # hashed with their lengths, to keep them distinct
     digest = hashlib.sha256(b"".join(len(part).to_bytes(8) + part for part in parts)).hexdigest()
     return GradeTask(config.course, submission.student, submission.slug, seed, source, digest, submission.path is None)

@@ -136,7 +136,7 @@ def graded(
         status, message = ended.status, str(ended)
     finally:
         student.leave()
-    message = " ".join(filter(None, (source.note, message)))
+    message = " ".join(filter(None, (source.remark, message)))
     rest = tuple(run.results.get(check.name) or _not_run(check, message) for check in assignment.checks)
     seconds = time.perf_counter() - started
     return replace(_result(name, assignment, status, message, seed, rest), seconds=round(seconds, 3), speed=speed)
@@ -310,9 +310,9 @@ def _memory(run: _Run, failed: Failed) -> Cause | None:
 def _error(result: Numbers, expected: Numbers) -> float:
     """Return the largest error of a result; infinite if it has another form."""
     pairs = [*zip(parts(result), _parts_like(result, expected), strict=False)] if result is not None else []
-    if any(np.shape(number) != np.shape(right) for number, right in pairs) or not pairs:
+    if any(np.shape(number) != np.shape(true) for number, true in pairs) or not pairs:
         return np.inf
-    return max(float(np.abs(np.subtract(number, right)).max(initial=0.0)) for number, right in pairs)
+    return max(float(np.abs(np.subtract(number, true)).max(initial=0.0)) for number, true in pairs)
 
 
 def _passes_on_copies(run: _Run, check: Check) -> bool:
@@ -335,15 +335,15 @@ def _is_consequence(run: _Run, wrong: str, calls: Sequence[Call]) -> bool:
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
-        used, called = (names_reached(text, name) & assignment.returns.keys()) - {name}, set[str]()
+        used, asked_for = (names_reached(text, name) & assignment.returns.keys()) - {name}, set[str]()
         if wrong not in used or used & zeros:
             continue
         module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
         for function in used:
-            setattr(module, function, partial(_call_aside, called, getattr(run.student, function)))
+            setattr(module, function, partial(_call_aside, asked_for, getattr(run.student, function)))
         try:
             with budget():
-                if explains(assignment.solution, partial(computed, module), calls) and called & sources:
+                if explains(assignment.solution, partial(computed, module), calls) and asked_for & sources:
                     return True
         except Exception:  # a solution may raise anything when a function that it calls is wrong
             continue
@@ -449,8 +449,8 @@ def _parts_like(result: Numbers, answer: Numbers) -> list[Numbers]:
     return parts(answer) if isinstance(result, tuple) else [np.asarray(answer, float)]
 
 
-def _call_aside(called: set[str], function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
-    called.add(function.name)
+def _call_aside(asked_for: set[str], function: StudentFunction, *args: Numbers, **kwargs: Numbers) -> Numbers:
+    asked_for.add(function.name)
     try:
         return function.aside(Case(*args, **kwargs))
     except Failed as failed:  # `computed` turns ValueError into "no value"
@@ -471,8 +471,8 @@ def _is_constant(run: _Run, name: str) -> bool:
     with suppress(Exhausted, *UNFIT), budget():
         if calls and not _differ(calls, [call.result for call in calls]):
             expected = [right_answer(run.assignment.solution, call) for call in calls]
-            known = [(call, right) for call, right in zip(calls, expected, strict=True) if right is not None]
-            return bool(known) and _differ(*zip(*known, strict=True))
+            pairs = [(call, value) for call, value in zip(calls, expected, strict=True) if value is not None]
+            return bool(pairs) and _differ(*zip(*pairs, strict=True))
     return False
 
 

@@ -114,7 +114,7 @@ def read(submission: Submission) -> Source:
     name = printable(submission.path.name)
     if is_zip(submission.path.name):
         source = _packed_source(submission.slug, name, packed_files(submission))
-        return replace(source, note=f"{_note(name, submission.others)} {source.note}".strip())
+        return replace(source, remark=f"{_remark(name, submission.others)} {source.remark}".strip())
     if not form(submission.path.name):
         raise CannotRead(f"{name} is neither a module (.py) nor a notebook (.ipynb): unpack it, or rename it")
     notebook = form(submission.path.name) == ".ipynb"
@@ -122,7 +122,7 @@ def read(submission: Submission) -> Source:
     text = without_outputs(text) if len(text) > LARGEST else text
     if len(text) > LARGEST:
         raise CannotRead(f"{name} is larger than {LARGEST // 2**20} MiB without its outputs: is it the right file?")
-    return Source(text, notebook, _note(name, submission.others))
+    return Source(text, notebook, _remark(name, submission.others))
 
 
 def packed_files(submission: Submission) -> "list[File]":
@@ -151,7 +151,7 @@ def _packed_source(slug: str, name: str, files: "Iterable[File]") -> Source:
     text = text_of(best[0]) if best else b""
     if not best or is_zip(best[0].name):
         raise CannotRead(f"there is no {slug}.py in {name}; it holds {_listed(held) or 'no module or notebook'}")
-    return Source(text, form(best[0].name) == ".ipynb", _note(str(best[0]), map(str, best[1:])))
+    return Source(text, form(best[0].name) == ".ipynb", _remark(str(best[0]), map(str, best[1:])))
 
 
 def _bytes(path: Path, tree: Path, most: int) -> bytes:
@@ -412,23 +412,23 @@ def _best(held: Collection[Path], slug: str, text_of: Callable[[Path], bytes]) -
         is_empty = form(entry.name) == ".ipynb" or UNWRITTEN.search(content(entry))
         return bool(is_empty) and not is_begun(content(entry))
 
-    named = dict.fromkeys(entry for entry in held if form(entry.name) and slug_of(entry.stem, [slug]))
+    of_slug = dict.fromkeys(entry for entry in held if form(entry.name) and slug_of(entry.stem, [slug]))
     packed = [entry for entry in held if is_zip(entry.name)]
     packed = [entry for entry in packed if slug_of(entry.stem, [slug])] or packed
     fits: tuple[Callable[[Path], bool], ...] = (
         lambda entry: is_exact(entry.name, f"{slug}.py"),
         lambda entry: is_exact(entry.name, f"{slug}.ipynb"),
-        lambda entry: entry in named and form(entry.name) == ".py",
-        lambda entry: entry in named,
-        lambda entry: form(entry.name) == ".ipynb" and all(map(is_stub, named)),
-        lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem) and all(map(is_stub, named)),
+        lambda entry: entry in of_slug and form(entry.name) == ".py",
+        lambda entry: entry in of_slug,
+        lambda entry: form(entry.name) == ".ipynb" and all(map(is_stub, of_slug)),
+        lambda entry: form(entry.name) == ".py" and not GIVEN.fullmatch(entry.stem) and all(map(is_stub, of_slug)),
         lambda entry: entry in packed,
     )
     groups = [equal for is_chosen in fits if (equal := in_order([*filter(is_chosen, held)]))]
     best = groups[0] if groups else []
     if len({*itertools.chain(*groups)}) > 1:  # a lone file is not read
         best = next((equal for equal in groups if is_begun(content(equal[0]))), best)
-    others = [*best[1:], *(entry for entry in named if best and form(entry.name) == form(best[0].name))]
+    others = [*best[1:], *(entry for entry in of_slug if best and form(entry.name) == form(best[0].name))]
     others = [entry for entry in dict.fromkeys(others[:MOST_NAMES]) if entry != best[0]]
     return best[:1] + [entry for entry in others if is_begun(content(entry)) and content(entry) != content(best[0])]
 
@@ -440,8 +440,8 @@ def is_exact(name: str, expected: str) -> bool:
 
 def copy_order(name: str, slug: str) -> tuple[bool, int]:
     """Return a key, larger for a newer file: hw08 (1).py is newer than hw08.py, and hw08_old.py is the oldest."""
-    named = rf"(?:hw|homework)[ _-]*\d{{1,2}}(?:[ _-]*{slug[5:]})?|{slug[5:]}"
-    match = COPY.fullmatch(re.sub(named, "", name.split(".")[0], count=1, flags=re.IGNORECASE))
+    title = rf"(?:hw|homework)[ _-]*\d{{1,2}}(?:[ _-]*{slug[5:]})?|{slug[5:]}"
+    match = COPY.fullmatch(re.sub(title, "", name.split(".")[0], count=1, flags=re.IGNORECASE))
     assert match is not None  # it matches every text
     return match[1].strip(" _-") in ("", HANDIN[1:]), int(match[2] or 0)
 
@@ -463,7 +463,7 @@ def _begun(text: bytes) -> int:
     return len(DEFINED.findall(text)) - len(UNWRITTEN.findall(text))
 
 
-def _note(counts: str, others: Iterable[str]) -> str:
+def _remark(counts: str, others: Iterable[str]) -> str:
     """Return a sentence for the student on the file that counts, if there are others."""
     return COUNTS.format(counts=counts, others=", ".join(names)) if (names := [*others]) else ""
 

@@ -59,7 +59,7 @@ class Arrival:
     copy: str
     origin: str
     reason: str = ""
-    note: str = ""  # names other files that were handed in
+    remark: str = ""  # names other files that were handed in
 
     @property
     def key(self) -> tuple[str, str]:
@@ -259,7 +259,7 @@ class Watcher:
         copy = self.queue.folder / COPIES / student / slug / f"{digest[:16]}{'.ipynb' if source.notebook else '.py'}"
         copy.parent.mkdir(parents=True, exist_ok=True)
         written(copy, source.text)
-        return Arrival(student, slug, digest, time.time(), str(copy), str(origin), note=source.note)
+        return Arrival(student, slug, digest, time.time(), str(copy), str(origin), remark=source.remark)
 
     def grade(self, batch: Sequence[Arrival]) -> None:
         """Grade arrivals, each with its own hidden inputs; log each result, then write its page."""
@@ -281,7 +281,7 @@ class Watcher:
         seed = seeds.derive(self.secret, arrival.student, arrival.slug, str(attempt))
         copy = Path(arrival.copy) if arrival.copy else None
         source = source_of(Submission(arrival.student, arrival.slug, copy, copy or Path(), arrival.reason))
-        source = replace(source, note=arrival.note) if isinstance(source, Source) else source
+        source = replace(source, remark=arrival.remark) if isinstance(source, Source) else source
         hidden = self.course, self.source, self.queue.folder.resolve()
         config = WorkerConfig(course_config.resource_limits(self.course), hidden)
         return GradeTask(self.course, arrival.student, arrival.slug, seed, source, arrival.digest, conditions=config)

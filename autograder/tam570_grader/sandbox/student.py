@@ -24,11 +24,11 @@ SLOW, MOST_SLOW = 0.5, 4  # s, wall time of a request whose replies are kept for
 
 @dataclass(frozen=True)
 class Source:
-    """The text of a submitted module or notebook; `note` names other files that were handed in and not graded."""
+    """The text of a submitted module or notebook; `remark` names other files that were handed in and not graded."""
 
     text: bytes
     notebook: bool = False
-    note: str = ""
+    remark: str = ""
 
 
 class BudgetSpent(Over):

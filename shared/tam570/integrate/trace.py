@@ -289,8 +289,8 @@ def _refusal(answer: Exception) -> Exception:
 
 def refusal_of(answer: Exception) -> str:
     """Return what a function does that does not accept symbols."""
-    raised = f"it accepts only numbers; for a symbol it raises {type(answer).__name__}: {answer}"
-    return str(answer) if isinstance(answer, Untraceable) else raised
+    message = f"it accepts only numbers; for a symbol it raises {type(answer).__name__}: {answer}"
+    return str(answer) if isinstance(answer, Untraceable) else message
 
 
 class Module:

@@ -152,9 +152,9 @@ def test_bad_input_is_named_with_its_remedy(change, message):
 
 
 def test_an_error_of_rhs_at_the_start_is_kept_with_time_and_state():
-    with pytest.raises(ZeroDivisionError) as raised:
+    with pytest.raises(ZeroDivisionError) as error:
         solve(lambda t, y: (y[1], 1.0 / t), [0, 1], [1.0, 0.0])
-    assert raised.value.__notes__ == ["solve: rhs raises this at the start, t = 0, y = [1.0, 0.0]"]
+    assert error.value.__notes__ == ["solve: rhs raises this at the start, t = 0, y = [1.0, 0.0]"]
 
 
 @pytest.mark.parametrize(
