@@ -98,22 +98,22 @@ def test_rows_far_off_do_not_follow_from_rates_with_which_only_two_times_are_int
     assert not motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
 
 
-@pytest.mark.parametrize("slip", [1.0, 1.1])
-def test_rows_on_a_constraint_follow_from_wrong_rates_unless_the_motion_adds_a_slip(slip):
+@pytest.mark.parametrize("factor", [1.0, 1.1])
+def test_rows_on_a_constraint_follow_from_wrong_rates_unless_the_motion_adds_a_slip(factor):
     def on_parabola(t, start, rate=1.0):
         x = start[0] + rate * (t - t[0])
         return np.column_stack([x, x**2])
 
-    student = SimpleNamespace(aside=lambda case: on_parabola(*case.args, 2 * slip))
+    student = SimpleNamespace(aside=lambda case: on_parabola(*case.args, 2 * factor))
     case = Case(np.linspace(0, 1, 11), np.ones(2))
     wrong = ComparedMotion(case, student.aside(case), on_parabola(*case.args), np.ones(2), student, on_parabola)
     rates = motions.Rates(
         lambda t, row: (2.0, 2 * row[0]),
         lambda: True,
-        right=lambda t, row: (1.0, 2 * row[0]),
-        doubled=lambda index, case: on_parabola(*case.args, 2 * slip * (2 - index)),
+        truth=lambda t, row: (1.0, 2 * row[0]),
+        doubled=lambda index, case: on_parabola(*case.args, 2 * factor * (2 - index)),
     )
-    assert motions.has_rates(wrong, rates) == (slip == 1)
+    assert motions.has_rates(wrong, rates) == (factor == 1)
 
 
 def test_errors_that_chaos_makes_large_break_no_equation(careless):
