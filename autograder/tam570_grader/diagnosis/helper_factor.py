@@ -61,6 +61,7 @@ def _with_shared(solution: str, before: Call, call: Call) -> Case:
     return Case(*args, **values)
 
 
+@np.errstate(all="ignore")
 def _factor(expected: Numbers, function: Callable[[float], Numbers]) -> float | None:
     """Return the factor with which the function returns the right numbers, 1 if these are right; None: none found."""
     target = _flat(expected)

@@ -35,7 +35,17 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import compile_lightly
 from tam570_grader.diagnosis.cause import Answer, Cause
 from tam570_grader.diagnosis.compared_call import ComparedCall, beginning, compared_call
-from tam570_grader.diagnosis.mistakes import WITHIN, answer, computed, is_motion, largest, right_answer, solution_with
+from tam570_grader.diagnosis.mistakes import (
+    CANCELLED,
+    WITHIN,
+    answer,
+    computed,
+    is_motion,
+    largest,
+    right_answer,
+    same,
+    solution_with,
+)
 from tam570_grader.diagnosis.mutants import EVERY_HALF, MISSING_FACTOR, MISSING_TERM, reached
 from tam570_grader.diagnosis.terms import NamedMutant, named_mutants
 
@@ -118,6 +128,8 @@ def _general(search: Search) -> Cause | None:
     name = search.name
     if not any(np.any(part) for call in search.its_calls for part in parts(call.result)):
         return Cause(name, f"Your result of {name} is zero", "result")
+    if _are_alike(search.its_calls):
+        return Cause(name, f"Your result of {name} is the same for all inputs", "result")
     if len(set().union(*(call.numbers() for call in search.wrong))) < FEWEST:
         return None
     cause = _other_result(search) or _other_symbol(search) or _other_argument(search)
@@ -130,6 +142,15 @@ def _general(search: Search) -> Cause | None:
         change = _either_reversed(search) or next(_explaining(forms, search.its_calls), None)
         cause = _transformed(search, change) or _single_entry(search) or _for_one_sign(search)
     return cause
+
+
+def _are_alike(calls: Sequence[ComparedCall]) -> bool:
+    """Return whether the results of several calls are the same, although the right ones differ."""
+    first, *others = calls
+    return len(others) >= FEWEST and (
+        all(same(call.result, first.result, CANCELLED) for call in others)
+        and not any(same(call.expected, first.expected, WITHIN) for call in others)
+    )
 
 
 def _other_result(search: Search) -> Cause | None:

@@ -139,6 +139,7 @@ def calls(function, wrong):
         ("weight", "g*h + m*l**2/2", "the factor mass is missing beside gravity, height"),
         ("weight", "m*g*h + m*l**2", "a term with length, mass counts twice"),
         ("weight", "0.0", "Your result of weight is zero"),
+        ("weight", "3.7", "Your result of weight is the same for all inputs"),
         ("fall", "np.column_stack([h + v*t + t**2, v + 2*t])", "gravity has the opposite sign"),
         ("fall", "np.column_stack([h + v*t - 0.7*t**2, v - 1.400001*t])", "gravity has a factor drag too many"),
         ("fall", "np.column_stack([h + 1.6903085*v*t - t**2, 1.6903085*v - 2*t])", "divided by sqrt(gravity/drag)"),
