@@ -10,7 +10,8 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import NotWritten
-from tam570_grader.grading.run_checks import CheckOptions, Recorder, generator, graded
+from tam570_grader.grading.run_checks import CheckOptions, Recorder, graded
+from tam570_grader.grading.seeds import generator
 from tam570_grader.results.records import Result
 from tam570_grader.sandbox import pool
 from tam570_grader.sandbox.preload import imported

@@ -25,7 +25,7 @@ from tam570_grader.checks.case import Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import Failed, check_context, get_context
 from tam570_grader.checks.returns import Array, FreeBodyDiagram, Group, result
-from tam570_grader.grading.run_checks import generator
+from tam570_grader.grading.seeds import generator
 from tam570_grader.protocol.answer import answers
 from tam570_grader.protocol.wire import packed, unpacked
 from tam570_grader.sandbox.replies import checked

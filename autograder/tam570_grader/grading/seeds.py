@@ -1,11 +1,15 @@
 """Seeds of the hidden inputs: one for the whole class, or derived from a key for each student."""
 
+import functools
 import hmac
 import os
 import secrets
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
+from tam570_grader.checks.check import Check
 from tam570_grader.errors import UsageError, warn, writing
 from tam570_grader.results.store import Results
 
@@ -36,6 +40,17 @@ def derive(secret: int | bytes, *names: str) -> int:
     if isinstance(secret, int):
         secret = secret.to_bytes(max(BITS, secret.bit_length()) // 8 + 1)
     return int.from_bytes(hmac.digest(secret, "\n".join(names).encode(), "sha256")[: BITS // 8])
+
+
+def generator(seed: int, slug: str, check: Check) -> np.random.Generator:
+    """Return the random generator of a check's hidden inputs."""
+    return np.random.Generator(np.random.PCG64(_sequence(seed, slug, check.name)))
+
+
+@functools.lru_cache(maxsize=1024)
+def _sequence(seed: int, slug: str, name: str) -> np.random.SeedSequence:
+    """Return the seed sequence of a check's generator; cached because it takes longer to make than the generator."""
+    return np.random.SeedSequence(derive(seed, slug, name))
 
 
 def key(path: Path, needed: bool) -> bytes:

@@ -19,7 +19,7 @@ from tam570_grader.checks.expect import check_context
 from tam570_grader.checks.returns import Drawing, Formula
 from tam570_grader.diagnosis.mistakes import Mistake, mistakes, solution_with
 from tam570_grader.errors import say
-from tam570_grader.grading.run_checks import generator
+from tam570_grader.grading.seeds import generator
 from tam570_grader.results.tables import written
 from tam570_grader.sandbox.pool import Attempt, sandboxes, tried
 from tam570_grader.sandbox.student import Source, Student

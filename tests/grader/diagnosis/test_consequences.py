@@ -4,7 +4,7 @@ import pytest
 from parameters import first
 
 from tam570_grader.checks import assignments
-from tam570_grader.grading.run_checks import FOLLOWING_SHARE
+from tam570_grader.grading.consequences import FOLLOWING_SHARE
 
 OWN_EQUATIONS = """terms = [mass_matrix(theta, masses=masses, lengths=lengths)]
     terms += [velocity_terms(theta, omega, masses=masses, lengths=lengths)]

@@ -12,7 +12,7 @@ from tam570.meter import Exhausted, limited
 from tam570_grader.checks import assignments, effort
 from tam570_grader.checks.effort import PACKAGES, Finder, compile_counted
 from tam570_grader.diagnosis import diagnose
-from tam570_grader.grading import budget, run_checks
+from tam570_grader.grading import budget, consequences
 from tam570_grader.grading.run_checks import graded
 from tam570_grader.sandbox.student import Source
 from tam570_grader.sandbox.zygote import ResourceLimits
@@ -46,7 +46,7 @@ def grows(*_):
 def evaluated(course, zygotes, solution_text, monkeypatch):
     """`evaluated(run, name, text)` -> the result if the check `name` calls `run`; the default text is the solution."""
     assignment = assignments.assignment(course, SLUG)
-    monkeypatch.setattr(run_checks, "budget", lambda: budget.budget(FEW, LITTLE))
+    monkeypatch.setattr(consequences, "budget", lambda: budget.budget(FEW, LITTLE))
 
     def evaluated(run=None, name="", text=""):
         checks = [replace(check, run=run) if check.name == name else check for check in assignment.checks]

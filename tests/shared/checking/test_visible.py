@@ -13,7 +13,7 @@ from tam570.progress import recalled
 from tam570_grader.checks import assignments
 from tam570_grader.checks.expect import check_context
 from tam570_grader.diagnosis.mistakes import mistakes
-from tam570_grader.grading.run_checks import generator
+from tam570_grader.grading.seeds import generator
 
 EXACT = """
 import runpy
