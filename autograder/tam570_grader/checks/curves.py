@@ -7,13 +7,11 @@ at most BITS in a picture, and nothing about the times.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from tam570.values import Json, Numbers
 
 # plain data: quantity, unit, tolerance, scale ("log" or "linear"), values along the motion; keeps: another curve
 Curve = Json
-Array = NDArray[np.float64]
 
 SLOTS = 16  # equal parts of the duration; the curve has the largest error in each
 LEVELS = 2  # levels per decade of an error
@@ -43,19 +41,15 @@ def curve(  # noqa: PLR0913  the compared numbers, and their description
     if len(t) < 3:
         return None
     is_constant = rows.shape[1] == 1 and np.ptp(np.broadcast_to(expected, signed.shape)[motion]) == 0
-    slots = _slots(t, sizes)
+    slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
+    of_slots = (np.flatnonzero(slot == k) for k in range(SLOTS))
+    largest = [int(indices[np.argmax(sizes[indices])]) if len(indices) else None for indices in of_slots]
     if is_constant:
         drift = rows[:, 0].clip(-LARGEST, LARGEST)
         step = float(f"{np.abs(drift).max():.2g}") / STEPS or 1.0
-        values = [None if row is None else round(drift[row] / step) * step for row in slots]
+        values = [None if row is None else round(drift[row] / step) * step for row in largest]
     else:
         decades = np.log10(np.maximum(sizes, 1e-300) / tolerance).clip(FLOOR, CEILING)  # negative below the tolerance
-        values = [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in slots]
+        values = [None if row is None else round(LEVELS * decades[row]) / LEVELS for row in largest]
     scaled = "linear" if is_constant else "log"
     return {"quantity": quantity, "unit": unit, "tolerance": tolerance, "scale": scaled, "values": values}
-
-
-def _slots(t: Array, sizes: Array) -> list[int | None]:
-    """Return the row with the largest error in each of SLOTS equal parts of the duration; None for an empty part."""
-    slot = np.minimum((SLOTS * (t - t[0]) / (t[-1] - t[0])).astype(int), SLOTS - 1)
-    return [int(rows[np.argmax(sizes[rows])]) if len(rows := np.flatnonzero(slot == k)) else None for k in range(SLOTS)]

@@ -158,7 +158,6 @@ JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
 SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
-OF_STEPS = TIGHT, NEARLY_FOLLOWS, JOINED, SAMPLED  # sentences about coarse steps, to which wrong rates look similar
 
 
 def _repeats(motion: ComparedMotion, row: int) -> bool:
