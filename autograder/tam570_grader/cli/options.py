@@ -1,23 +1,20 @@
 """Types and options that several commands share."""
 
 import argparse
+from functools import partial
 from pathlib import Path
 
 from tam570.values import Function
 
 
-def natural(text: str) -> int:
-    """Return the whole number in a text, at least 0."""
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 on")
+def natural(text: str, least: int = 0) -> int:
+    """Return the whole number in a text, at least `least`."""
+    if not text.isdecimal() or int(text) < least:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from {least} on")
     return int(text)
 
 
-def positive(text: str) -> int:
-    """Return the whole number in a text, at least 1."""
-    if not text.isdecimal() or int(text) == 0:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1 on")
-    return int(text)
+positive = partial(natural, least=1)
 
 
 def add_cluster(add: Function) -> None:
