@@ -7,16 +7,15 @@ from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import ADDITIONS
 from tam570_grader.course.course_config import resource_limits
 from tam570_grader.errors import UsageError
+from tam570_grader.grading import supervisor
+from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
+from tam570_grader.sandbox.student import Source
 
 SEEDS = 3  # number of seeds with which the solution and the stub are graded
 
 
 def prove(root: Path, slugs: Sequence[str]) -> None:
     """Raise UsageError if the solution fails or the stub passes a check that the course added; record each success."""
-    from tam570_grader.grading import supervisor
-    from tam570_grader.grading.supervisor import GradeTask, WorkerConfig
-    from tam570_grader.sandbox.student import Source
-
     for slug in slugs:
         added, proved = assignments.checks_folder(root, slug) / f"{ADDITIONS}.py", root / f".proved-{slug}"
         if not added.is_file() or proved.exists():

@@ -14,28 +14,17 @@ from tam570_grader.errors import UsageError
 from tam570_grader.grading.submissions import folder_of
 from tam570_grader.results.tables import table
 
-# Headings of columns with ids, and the kind of each id. A student's folder is named after the first id in the row, so
-# logins come first; Moodle's participant number comes last because it differs between assignments.
-IDS = {
-    "sis login id": "login",
-    "username": "login",
-    "login": "login",
-    "login_id": "login",
-    "student_id": "number",
-    "id number": "number",
-    "sis user id": "number",
-    "sid": "number",
-    "student id": "number",
-    "orgdefinedid": "number",
-    "user_id": "number",
-    "id": "id",
-    "canvas_user_id": "id",
-    "email address": "email",
-    "email": "email",
-    "github_username": "github",
-    "identifier": "participant",
+# Headings of columns with ids, by the kind of id. A student's folder is named after the first id in the row, so logins
+# come first; Moodle's participant number comes last because it differs between assignments.
+KINDS = {
+    "login": ("sis login id", "username", "login", "login_id"),
+    "number": ("student_id", "id number", "sis user id", "sid", "student id", "orgdefinedid", "user_id"),
+    "id": ("id", "canvas_user_id"),
+    "email": ("email address", "email"),
+    "github": ("github_username",),
+    "participant": ("identifier",),
 }
-KINDS = tuple(dict.fromkeys(IDS.values()))
+IDS = {heading: id_kind for id_kind, headings in KINDS.items() for heading in headings}
 NAMES = ("student", "full name", "name")
 PARTS = (("first name", "last name"), ("first name", "surname"), ("first_name", "last_name"), ("firstname", "lastname"))
 GROUPS = ("group", "group_name", "group name", "team")
