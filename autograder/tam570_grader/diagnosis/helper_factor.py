@@ -5,13 +5,11 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tam570.checking.transforms import parts
 from tam570.values import Numbers
 from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.student import StudentFunction
-from tam570_grader.diagnosis.mistakes import WITHIN, is_motion, right_answer, same, solution_with
+from tam570_grader.diagnosis.mistakes import WITHIN, all_numbers, is_motion, right_answer, same, solution_with
 
 PLACES = -1, 0, 1, 2  # numbers of a helper's result to which the factor is applied; -1: all
 FEWEST, MOST = 2, 4  # wrong calls compared
@@ -64,10 +62,10 @@ def _with_shared(solution: str, before: Call, call: Call) -> Case:
 @np.errstate(all="ignore")
 def _factor(expected: Numbers, function: Callable[[float], Numbers]) -> float | None:
     """Return the factor with which the function returns the right numbers, 1 if these are right; None: none found."""
-    target = _flat(expected)
+    target = all_numbers(expected)
     for power in (1, -1):  # results are often linear in the factor, or in one over it
         powers = [1.0, STEP]
-        values = [_flat(function(number**power)) for number in powers]
+        values = [all_numbers(function(number**power)) for number in powers]
         for _ in range(MOST_STEPS):
             if any(value.shape != target.shape or not np.all(np.isfinite([value, target])) for value in values):
                 break
@@ -78,14 +76,7 @@ def _factor(expected: Numbers, function: Callable[[float], Numbers]) -> float | 
             powers = [powers[1], powers[1] + float((target[index] - values[1][index]) / slope)]
             if abs(powers[1]) < SMALL or powers[1] == powers[0]:
                 break
-            values = [values[1], _flat(function(powers[1] ** power))]
+            values = [values[1], all_numbers(function(powers[1] ** power))]
             if values[1].shape == target.shape and same(values[1], target, CLOSE):
                 return powers[1] ** power
     return None
-
-
-def _flat(result: Numbers) -> NDArray[np.float64]:
-    """Return all numbers of a result; none for None, or for an answer without a value."""
-    if result is None or isinstance(result, type):
-        return np.array([])
-    return np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)])

@@ -26,6 +26,7 @@ from types import ModuleType
 from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
 from tam570.values import Function, Json, Numbers
@@ -327,10 +328,15 @@ def same(result: Numbers, wrong: Numbers, tolerance: float, size: float = 1.0) -
 
 def largest(result: Numbers) -> float:
     """Return the largest size of the finite numbers of a result, 0 if it has none."""
-    if result is None or result is NoValue:
-        return 0.0
-    sizes = np.abs(np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)]))
+    sizes = np.abs(all_numbers(result))
     return float(sizes.max(initial=0.0, where=np.isfinite(sizes)))
+
+
+def all_numbers(result: Numbers) -> NDArray[np.float64]:
+    """Return all numbers of a result in one array; none for None, or for an answer without a value."""
+    if result is None or result is NoValue:
+        return np.array([])
+    return np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)])
 
 
 def _close(result: Numbers, expected: Numbers, tolerance: float, rounding: float) -> bool:

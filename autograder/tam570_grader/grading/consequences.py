@@ -27,6 +27,7 @@ from tam570_grader.diagnosis.helper_factor import same_factor
 from tam570_grader.diagnosis.mistakes import (
     CANCELLED,
     WITHIN,
+    all_numbers,
     answer,
     computed,
     explains,
@@ -407,7 +408,7 @@ def _differ(calls: Sequence[Call], results: Sequence[Numbers]) -> bool:
         if is_motion(call):
             rows.extend(flat(result) - flat(result)[0])
         else:
-            numbers = np.concatenate([np.ravel(np.asarray(part, float)) for part in parts(result)])
+            numbers = all_numbers(result)
             rows.extend(numbers[:, None] if call.case.points else [numbers])
     fewest = min(map(len, rows))
     numbers = np.array([row[:fewest] for row in rows])
