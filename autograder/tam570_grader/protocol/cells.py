@@ -5,8 +5,6 @@ import json
 import tokenize
 from typing import Any
 
-from tam570.notebooks import text_of
-
 MOST_CELLS, MOST_OUTPUTS = 500, 50
 LONGEST_TEXT = 10_000  # characters of a text cell; rendering may take quadratic time
 MOST_TEXT = 100_000  # characters of all text cells
@@ -31,11 +29,6 @@ def plain_cells(source: bytes) -> list[CellRecord]:
             cell["source"] = _cut(cell["source"], min(remaining, LONGEST_TEXT))
             remaining = max(0, remaining - len(cell["source"]))
     return plain
-
-
-def python(source: bytes) -> str:
-    """Return the code of a notebook that is Python."""
-    return text_of(source, ".ipynb")
 
 
 def statements(source: bytes) -> str:

@@ -22,11 +22,12 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
+from tam570.notebooks import text_of
 from tam570.values import Json
 
 from . import jail
 from .answer import answers, error_report, evaluate_a_formula, seed_generators
-from .cells import plain_cells, python, statements
+from .cells import plain_cells, statements
 from .load import compiled, load
 from .picture import blank_axes
 from .refusals import program
@@ -37,7 +38,7 @@ __builtins__ = dict(vars(builtins))  # type: ignore[assignment]  # as in wire
 LONGEST_ORDER = 2**14  # bytes
 MOST_TOLD = 50  # reports on a notebook's cells
 HOLD = 0.02  # s that a reply may wait, to be sent together with the next ones
-READINGS = {"cells": plain_cells, "python": python, "statements": statements}
+READINGS = {"cells": plain_cells, "python": lambda text: text_of(text, ".ipynb"), "statements": statements}
 
 
 def main() -> None:

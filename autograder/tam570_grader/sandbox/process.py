@@ -200,11 +200,9 @@ class SandboxProcess:
             return True
         now = self._clock()
         since, cpu_then = max(self._looked_at, (started, 0.0))
-        idle = cpu - cpu_then < IDLE_SHARE * self.limit
-        if now - since >= self.limit:
+        if lasted := now - since >= self.limit:
             self._looked_at = now, cpu
-        else:
-            idle = False
+        idle = lasted and cpu - cpu_then < IDLE_SHARE * self.limit
         return idle or cpu - self._waited >= self.limit or now - started > PATIENCE * self.limit
 
     def _order(self, order: bytes) -> None:
