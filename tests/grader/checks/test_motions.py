@@ -76,26 +76,22 @@ def careless():
     return lorenz(TIMES, START, 1e-5)
 
 
-def test_a_motion_without_bounds_is_that_of_its_rates():
-    def grown(t, start, rate=-1):
-        return start * np.exp(rate * (t - t[0]))[:, None]
+def grown(t, start, rate=-1):
+    return start * np.exp(rate * (t - t[0]))[:, None]
 
-    student = SimpleNamespace(aside=lambda case: grown(*case.args, 60 + 1e-9 * len(case.args[0])))
+
+@pytest.mark.parametrize(
+    ("own", "are_its"),
+    [
+        (lambda t, start: grown(t, start, 60 + 1e-9 * len(t)), True),  # a motion without bounds
+        (lambda t, start: grown(t, start, 60) if len(t) == 2 else 1e9 * np.arange(1, 12)[:, None], False),
+    ],
+)
+def test_a_motion_is_that_of_its_rates_unless_they_are_integrated_for_two_times_alone(own, are_its):
+    student = SimpleNamespace(aside=lambda case: own(*case.args))
     case = Case(np.linspace(0, 1, 11), RESTED[:1])
     wrong = ComparedMotion(case, student.aside(case), grown(*case.args), np.ones(1), student, grown)
-    assert motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
-
-
-def test_rows_far_off_do_not_follow_from_rates_with_which_only_two_times_are_integrated():
-    def grown(t, start, rate=-1):
-        return start * np.exp(rate * (t - t[0]))[:, None]
-
-    student = SimpleNamespace(
-        aside=lambda case: grown(*case.args, 60) if len(case.args[0]) == 2 else 1e9 * np.arange(1, 12)[:, None]
-    )
-    case = Case(np.linspace(0, 1, 11), RESTED[:1])
-    wrong = ComparedMotion(case, student.aside(case), grown(*case.args), np.ones(1), student, grown)
-    assert not motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True))
+    assert motions.has_rates(wrong, motions.Rates(lambda t, row: 60 * row, lambda: True)) == are_its
 
 
 @pytest.mark.parametrize("factor", [1.0, 1.1])
