@@ -7,14 +7,14 @@ the difference between a mistake and each mistake that the diagnosis tries befor
 import ast
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from tam570_grader.audit import local
 from tam570_grader.audit.local import SEED, Key, LocalStudent, Replies, failed_cases, module_of, solution_replies
 from tam570_grader.audit.mutate import mutants
-from tam570_grader.audit.mutation import alone, calling, within_reach
+from tam570_grader.audit.mutation import Wrong, to_catch, within_reach
 from tam570_grader.checks import assignments
 from tam570_grader.checks.assignments import LoadedAssignment
 from tam570_grader.checks.check import Check
@@ -28,16 +28,6 @@ SEEDS = 20
 EXPENSIVE = 2e-3  # s; cases with longer calls are chosen only for subjects that no other case catches
 CHUNKS = 4  # tasks into which the wrong submissions of a seed are divided
 Subject = tuple[int, str]  # a seed, and the name of what must be caught with it
-
-
-@dataclass(frozen=True)
-class Wrong:
-    """A wrong submission: its text, the functions that its slip may affect, and the checks that may catch it."""
-
-    name: str
-    text: str
-    reach: frozenset[str]
-    checks: frozenset[str]
 
 
 @dataclass(frozen=True)
@@ -65,7 +55,10 @@ class CaseReport:
 def report_cases(course: Path, slug: str, executor: TaskExecutor, seeds: int) -> CaseReport:
     """Run mutants and mistakes with `seeds` seeds, and choose few cases that catch them all."""
     assignment = assignments.assignment(course, slug)
-    wrong = [*_mutants(assignment), *_mistakes(assignment)]
+    students = local.students_of_checks(course, slug)
+    calls = {check: {key.function for key in student.cases} for check, student in students.items()}
+    slipped = to_catch(assignment.solution, mutants(slug, assignment.solution), calls)
+    wrong = [*(replace(each, name=f"mutant {each.name}") for each in slipped), *_mistakes(assignment)]
     runs = [
         CaseRun(course, slug, SEED + seed, wrong[start::CHUNKS], start == 0)
         for seed in range(seeds)
@@ -97,20 +90,6 @@ def judged_cases(run: CaseRun) -> tuple[dict[Key, float], dict[Subject, frozense
         failures = (failed_cases(student, check, run.seed, run.slug) for student, check in students)
         caught[wrong.name] = frozenset(key for keys in failures for key in keys)
     return seconds, {(run.seed, name): keys for name, keys in caught.items() if keys}
-
-
-def _mutants(assignment: LoadedAssignment) -> Iterator[Wrong]:
-    """Yield each mutant, and if other functions call its function, also with the slip for the checks of that alone."""
-    solution = assignment.solution
-    students = local.students_of_checks(assignment.root, assignment.slug)
-    calls = {check: {key.function for key in student.cases} for check, student in students.items()}
-    reachable = reached(solution)
-    for mutant in mutants(assignment.slug, solution):
-        reach = within_reach(reachable, mutant.function)
-        yield Wrong(f"mutant {mutant.name}", mutant.text, reach, calling(calls, reach))
-        if mutant.function in assignment.returns and len(reach) > 1:
-            itself = frozenset({mutant.function})
-            yield Wrong(f"mutant {mutant.name} alone", alone(solution, mutant, calls), itself, calling(calls, itself))
 
 
 def _mistakes(assignment: LoadedAssignment) -> Iterator[Wrong]:

@@ -1,7 +1,7 @@
 """Grade mutants of the solutions: each is killed, is equivalent, or survives because of a gap in the checks."""
 
 from collections import Counter, defaultdict
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -20,6 +20,16 @@ SLOWER = 10  # time limit of a mutant's call, in multiples of the solution's lon
 SHORTEST = 0.25  # s, least time limit, as times on a busy machine are uncertain
 CALLS = 12  # CPU time of a mutant in multiples of that limit
 KILLED, EQUIVALENT, SURVIVES, CRASHED = FATES = "killed", "equivalent", "survive", "crash"
+
+
+@dataclass(frozen=True)
+class Wrong:
+    """A wrong submission: its text, the functions that its slip may affect, and the checks that may catch it."""
+
+    name: str
+    text: str
+    reach: frozenset[str]
+    checks: frozenset[str]
 
 
 @dataclass(frozen=True)
@@ -63,15 +73,7 @@ def fates(
     call = max(SHORTEST, SLOWER * longest)
     # two failures are enough to see that no single check is needed
     grading = partial(Grading, course, slug, seed=SEED, limits=ResourceLimits(cpu=CALLS * call, call=call), enough=2)
-    reachable = reached(text)
-    exported = set().union(*calls.values())
-    reach_of = {mutant.name: within_reach(reachable, mutant.function) for mutant in chosen}
-    tasks = [grading(mutant.name, mutant.text, checks=calling(calls, reach_of[mutant.name])) for mutant in chosen]
-    tasks += [
-        grading(f"{mutant.name} alone", alone(text, mutant, calls), checks=calling(calls, {mutant.function}))
-        for mutant in chosen
-        if _is_shared(mutant.function, exported, reach_of[mutant.name])
-    ]
+    tasks = [grading(wrong.name, wrong.text, checks=wrong.checks) for wrong in to_catch(text, chosen, calls)]
     first = [*progress(in_order(executor, tried, tasks), len(tasks), "mutant")]
     results = defaultdict[str, list[Result]](list, {result.student: [result] for result in first})
     caught = [(task, _failed(result), seeds) for task, result in zip(tasks, first, strict=True) if _is_caught(result)]
@@ -106,18 +108,20 @@ exec({slipped!r}, _slipped)
 """
 
 
-def alone(solution: str, mutant: SolutionMutant, calls: Mapping[str, set[str]]) -> str:
-    """Return a module in which only one exported function has the slip; other functions call the right one.
+def to_catch(solution: str, chosen: Iterable[SolutionMutant], calls: Mapping[str, set[str]]) -> Iterator[Wrong]:
+    """Yield each mutant, and if other functions may call its function, also a module in which these call the right one.
 
     Otherwise their checks might catch the slip, and hide a gap in the checks of this function.
     """
-    exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(set().union(*calls.values())))
-    return ALONE.format(solution=solution, slipped=mutant.text, exports=exports, function=mutant.function)
-
-
-def _is_shared(function: str, exported: Set[str], reach: Set[str]) -> bool:
-    """Return whether a function is exported and other functions may call it."""
-    return function in exported and len(reach) > 1
+    reachable, called = reached(solution), set().union(*calls.values())
+    exports = "\n".join(f"{name} = _right[{name!r}]" for name in sorted(called))
+    for mutant in chosen:
+        reach = within_reach(reachable, function := mutant.function)
+        yield Wrong(mutant.name, mutant.text, reach, calling(calls, reach))
+        if function in called and len(reach) > 1:
+            itself = frozenset({function})
+            alone = ALONE.format(solution=solution, slipped=mutant.text, exports=exports, function=function)
+            yield Wrong(f"{mutant.name} alone", alone, itself, calling(calls, itself))
 
 
 def _with_other_seeds(task: tuple[Grading, Sequence[str], int]) -> list[Result]:

@@ -160,7 +160,8 @@ def test_a_slip_alone_is_in_one_function_and_others_call_the_right_one(solution_
     slipped = next(item for item in mutants(HW08, correct) if item.function == "skew")
     calls = {"a check": {"skew", "rotate"}, "another": {"rotation_matrix"}}
     actual, as_it_was = {}, {}
-    exec(mutation.alone(correct, slipped, calls), actual)
+    _, alone = mutation.to_catch(correct, [slipped], calls)
+    exec(alone.text, actual)
     exec(correct, as_it_was)
     v = np.array([1.0, 2.0, 3.0])
     assert not np.array_equal(actual["skew"](v), as_it_was["skew"](v))
@@ -174,10 +175,9 @@ def test_a_function_without_a_check_of_its_own_is_a_hole(hole, capsys, monkeypat
     def without(*of):
         calls, longest = full(*of)
         holes = [name for name in calls if hole and name.startswith("skew")]
-        return {**calls, **{name: calls[name] - {"skew"} for name in holes}}, longest
+        return {**calls, **{name: calls[name] - {"skew"} for name in holes}, "not there": {"skew"}}, longest
 
     monkeypatch.setattr(mutation, "calls_of_checks", without)
-    monkeypatch.setattr(mutation, "_is_shared", lambda function, *of: function == "skew")
     assert cli.main(["audit", "hw08", "--function", "skew", "--jobs", "1"]) == hole
     assert ("SURVIVES" in capsys.readouterr().out) == hole
 
