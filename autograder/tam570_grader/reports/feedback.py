@@ -202,12 +202,8 @@ def write_page(folder: Path, key: Key, text: str) -> None:
 
 def _adjusted(adjustments: ManualAdjustments, results: Results) -> dict[Key, AdjustedScore]:
     """Return the adjusted scores of the results that have adjustments by hand."""
-    rows = [line.graded for key, line in results.lines.items() if adjustments.touches(key)]
-    return {
-        row.key: adjustments.adjust(row.key, row.score, row.max_score, results.earned(row.key))
-        for row in rows
-        if not isinstance(row.score, str)
-    }
+    scores = {key: adjustments.adjust(line.graded, results.earned(key)) for key, line in results.lines.items()}
+    return {key: score for key, score in scores.items() if score}
 
 
 def _path(folder: Path, key: Key) -> str:

@@ -86,10 +86,6 @@ class ManualAdjustments:
         newest = {**self.entries, **{entry.key: entry for entry in entries}}
         return ManualAdjustments(entry for entry in newest.values() if entry.points is not None or entry.of is not None)
 
-    def touches(self, key: Key) -> bool:
-        """Return whether any row applies to a result."""
-        return any(layer in self._of for layer in _layers(key))
-
     def _rows(self, key: Key) -> dict[str, Entry]:
         """Return the rows of a result by item: a student's before everyone's, an assignment's before the term's."""
         return {item: entry for layer in _layers(key) for item, entry in self._of.get(layer, {}).items()}
@@ -107,9 +103,11 @@ class ManualAdjustments:
         """Return whether everyone's maximum score includes the parts graded by hand."""
         return any(entry.of is not None for entry in self._of.get((EVERYONE, slug), {}).values())
 
-    def adjust(self, key: Key, score: float | None, most: float, earned_of: Earned) -> AdjustedScore:
-        """Return a score out of `most` with all adjustments."""
-        mine = self._rows(key)
+    def adjust(self, graded: GradeRow, earned_of: Earned) -> AdjustedScore | None:
+        """Return a result's score with all adjustments; None if no row applies to it, or if it is excused already."""
+        key, score, most = graded.key, graded.score, graded.max_score
+        if isinstance(score, str) or not (mine := self._rows(key)):
+            return None
         parts = [row for row in mine.values() if row.of is not None]
         added = [row.points for row in parts if row.points is not None]
         most += sum(row.of or 0.0 for row in parts)
@@ -166,19 +164,18 @@ class ManualAdjustments:
 
     def applied(self, result: Result) -> Result:
         """Return a result with its adjusted score."""
-        key = result.student, result.assignment
-        if not self.touches(key):
+        graded = GradeRow(result.student, result.assignment, result.status, result.score, result.max_score)
+        adjusted = self.adjust(graded, lambda: {check.name: check.points for check in result.checks})
+        if adjusted is None:
             return result
-        earned = {check.name: check.points for check in result.checks}
-        adjusted = self.adjust(key, result.score, result.max_score, lambda: earned)
         status = EXCUSED if adjusted.excused else result.status
         return replace(result, status=status, score=adjusted.score, max_score=adjusted.most)
 
     def row(self, graded: GradeRow, earned_of: Earned) -> GradeRow:
         """Return a row of the table of grades with its adjusted score."""
-        if not self.touches(graded.key) or isinstance(graded.score, str):
+        adjusted = self.adjust(graded, earned_of)
+        if adjusted is None:
             return graded
-        adjusted = self.adjust(graded.key, graded.score, graded.max_score, earned_of)
         return graded._replace(score=EX if adjusted.excused else adjusted.score, max_score=adjusted.most)
 
 

@@ -152,7 +152,7 @@ def test_late_days_that_cost_nothing_are_warned_of(results, capsys):
 )
 def test_days_beyond_an_extension_cost_their_share_and_a_total_stands_for_all(score, items, rest):
     entries = [Entry("ann", SLUG, item.replace("_", " "), points, None, "why") for item, points in items.items()]
-    adjusted = ManualAdjustments(entries).adjust(("ann", SLUG), score, 10.0, dict).score
+    adjusted = ManualAdjustments(entries).adjust(GradeRow("ann", SLUG, "graded", score, 10.0), dict).score
     assert adjusted == (rest if rest is None else pytest.approx(rest))
 
 
