@@ -5,7 +5,7 @@ import ctypes
 import inspect
 import math
 import struct
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 from tam570.integrate.compiled import taylor_loop
@@ -54,7 +54,11 @@ def loop_module(loop: Loop) -> str:
         **{name: value for name, value in vars(taylor_loop).items() if name.isupper()},
         **{name: index * lanes for index, name in enumerate(taylor_loop.PLACES)},
         **{name: Value("i64", str(value)) for name, value in integers.items()},
-        **{name: _call_of(name) for name in ("coefficients", "rates", "roundoff", "reach")},
+        **{name: Value("double", f"%{name}") for name in ("origin", "rtol")},
+        **{name: Array(f"%{name}") for name in ("work", "time")},
+        "times": Array("%times", None, Value("i64", "%rows")),
+        "members": Array("%members", 1 + 2 * size, Value("i64", "%several")),
+        **{name: partial(_call_of, name) for name in ("coefficients", "rates", "roundoff", "reach")},
         "LANES": lanes if lanes == 1 else Value("i64", str(lanes)),
         "MEMORY": taylor_loop.memory(size),
         "SATURATES": loop.saturates,
@@ -69,10 +73,7 @@ def loop_module(loop: Loop) -> str:
     translator.flags, translator.components = " contract", padded
     translator.width = vector_width(size) if lanes == 1 else lanes
     translator.together = translator.width if lanes == 1 else 1
-    arguments: list[Operand] = [Array(f"%{name}") for name in ("z", "work", "time", "c")]
-    arguments += [Array("%times", None, Value("i64", "%rows")), Array("%out", size)]
-    several = [] if lanes == 1 else [Array("%members", 1 + 2 * size, Value("i64", "%several"))]
-    arguments += [*several, Value("double", "%origin"), Value("double", "%rtol"), Value("i64", "%budget")]
+    arguments = [Array("%z"), Array("%out", size), Value("i64", "%budget")]
     translator.call(translator.globals["advance" if lanes == 1 else "advance_all"], arguments)
     preamble = ["define void @advance(ptr %arguments) {", "entry:"]
     for position, (name, ir_type) in enumerate(ARGUMENTS.items()):
@@ -82,12 +83,9 @@ def loop_module(loop: Loop) -> str:
     return assembled([*translator.constants(), *preamble, *body])
 
 
-def _call_of(name: str) -> Operand:
-    def call(writer: Operand, work: Array, c: Array, time: Array, order: Value) -> int:
-        writer.do(f"call void @{name}(ptr {work.text}, ptr {c.text}, ptr {time.text}, i64 {order.text})")
-        return 0
-
-    return call
+def _call_of(name: str, writer: Operand) -> int:
+    writer.do(f"call void @{name}(ptr %work, ptr %c, ptr %time, i64 %order)")
+    return 0
 
 
 def _same(_: Operand, x: Operand) -> Operand:

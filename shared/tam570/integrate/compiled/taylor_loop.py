@@ -38,15 +38,22 @@ GROWTH = 6.0  # factor of the step size if the last coefficients are all zero
 LONG, SHORT = 16.0, 1e-9  # longest and shortest duration for scales by coupling, in units of the first step
 STILL = 0.1  # the duration if the coupling changes no other scale much, in the same units
 
-coefficients: Numbers = None
+# The arguments of the call, as arrays and numbers:
+work: Numbers = None  # Taylor coefficients of the state
+time: Numbers = None  # s, at the end of the tried step
+times: Numbers = None  # s, of the samples, since `origin`
+members: Numbers = None  # of several motions, a row for each: 1 if it has scales, later its final status; start; scales
+origin: Numbers = None  # s
+rtol: Numbers = None
+
+# Functions that the translator writes:
+coefficients: Numbers = None  # coefficients() writes those of the state in `work`, from its state and `time`
+rates: Numbers = None  # rates() writes only those of order 1
+reach: Numbers = None  # the same, but the first is the longest step for exponents
+roundoff: Numbers = None  # the same, but writes bounds of their rounding errors
 logarithm: Numbers = None  # log2 to a tenth, which suffices because the step is a root of its argument
 power_of_2: Numbers = None  # 2**x to a hundredth
 shifted: Numbers = None  # shifted(array, k) is array[k:]
-rates: Numbers = None  # rates(work, c, time, ORDER) writes the coefficients of order 1
-reach: Numbers = None  # the same, but the first is the longest step for exponents
-roundoff: Numbers = None  # the same, but writes bounds of their rounding errors
-
-
 components: Numbers = None  # components() iterates over the indices; for a single motion, vector by vector
 each: Numbers = None  # each(k) is the index of number k of all motions
 wide: Numbers = None  # wide(x) is x in all lanes
@@ -70,7 +77,7 @@ def coefficient(i: Numbers, n: Numbers, lane: Numbers) -> Numbers:
     return i * ACROSS + n * ALONG + lane
 
 
-def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
+def lacking(z: Numbers, lane: Numbers) -> Numbers:
     """Return whether some component has no scale and no rate, so that its scale must follow from other components."""
     is_found = False
     for i in range(SIZE):
@@ -79,7 +86,7 @@ def lacking(z: Numbers, work: Numbers, lane: Numbers) -> Numbers:
     return is_found
 
 
-def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> Numbers:
+def sized(z: Numbers, lane: Numbers, h: Numbers) -> Numbers:
     """Give a scale to components without scale and rate; return whether all have one, or time cannot give them one.
 
     h : s, estimate of the first step
@@ -88,7 +95,7 @@ def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h
         z[at(BASE, i)] = work[coefficient(i, 1, lane)]
     duration, is_found = LONG * h, False
     while not is_found and duration > SHORT * h:
-        is_found = spread(z, work, time, c, lane, duration)
+        is_found = spread(z, lane, duration)
         if is_found and duration == LONG * h:  # the coupling is weak: use a short duration
             is_found = False
             duration = 2.0 * STILL * h
@@ -99,11 +106,11 @@ def sized(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h
         work[coefficient(i, 1, lane)] = z[at(BASE, i)]
         if is_found and z[at(M, i)] <= NO_SCALE and z[at(BASE, i)] == 0.0:
             z[at(M, i)] = z[at(SLOPE, i)]
-            every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(work, i, lane))
+            every = every and (not TIMED or z[at(M, i)] > NO_SCALE or moves(i, lane))
     return every
 
 
-def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
+def moves(i: Numbers, lane: Numbers) -> Numbers:
     """Return whether any coefficient of component i beyond order 1 is nonzero."""
     is_found = False
     for n in range(2, ORDER + 1):
@@ -111,7 +118,7 @@ def moves(work: Numbers, i: Numbers, lane: Numbers) -> Numbers:
     return is_found
 
 
-def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
+def spread(z: Numbers, lane: Numbers, duration: Numbers) -> Numbers:
     """Estimate scales in SLOPE by how components change each other's rates within `duration`, s.
 
     Return whether the estimate is consistent: no component that has a scale changes by much more than it.
@@ -121,7 +128,7 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
     more = SIZE + 1
     while more > 0:
         more -= 1
-        changed(z, work, time, c, lane, PART)
+        changed(z, lane, PART)
         news = False
         for i in range(SIZE):
             size = duration / PART * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
@@ -132,7 +139,7 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
                 news = True
         if not news:
             more = 0
-    changed(z, work, time, c, lane, COARSE)
+    changed(z, lane, COARSE)
     for i in range(SIZE):
         size = duration / COARSE * abs(work[coefficient(i, 1, lane)] - z[at(BASE, i)])
         if z[at(SLOPE, i)] > NO_SCALE and not size <= CALM * z[at(SLOPE, i)]:
@@ -140,28 +147,18 @@ def spread(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, 
     return True
 
 
-def changed(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, part: Numbers) -> None:
+def changed(z: Numbers, lane: Numbers, part: Numbers) -> None:
     """Compute the rates with each component changed by a fraction `part` of its scale."""
     sign = 1.0
     for i in range(SIZE):
         work[coefficient(i, 0, lane)] = z[at(Y, i)] + part * z[at(SLOPE, i)] * sign
         sign = -0.85 * sign if abs(sign) > 0.45 else (1.0 if sign < 0.0 else -1.0)  # unequal, so that no two cancel
-    rates(work, c, time, ORDER)
+    rates()
 
 
-def advance(
-    z: Numbers,
-    work: Numbers,
-    time: Numbers,
-    c: Numbers,
-    times: Numbers,
-    out: Numbers,
-    origin: Numbers,
-    rtol: Numbers,
-    budget: Numbers,
-) -> None:
+def advance(z: Numbers, out: Numbers, budget: Numbers) -> None:
     """Step until the last sample, until `budget` steps were tried, or until no step is possible: see z[STATUS]."""
-    pace = pace_of(rtol)
+    pace = pace_of()
     if z[STATUS] == FRESH:
         start_motion(z, out)
     for i in components():
@@ -170,13 +167,13 @@ def advance(
         budget -= 1
         time[0] = origin + z[NEW]
         if z[NEW] == times[len(times) - 1]:
-            rates(work, c, time, ORDER)
+            rates()
         else:
-            coefficients(work, c, time, ORDER)
-        settle(z, work, time, c, times, out, rtol, pace)
+            coefficients()
+        settle(z, out, pace)
 
 
-def pace_of(rtol: Numbers) -> Numbers:
+def pace_of() -> Numbers:
     """Return log2 of the ratio of step to radius of convergence, and the reciprocals of the last four orders.
 
     Successive terms of the series shrink by q = step / radius, so the omitted terms sum to q / (1 - q) of the last one.
@@ -198,24 +195,12 @@ def start_motion(z: Numbers, out: Numbers) -> None:
             z[STATUS] = SINGULAR
 
 
-def advance_all(
-    z: Numbers,
-    work: Numbers,
-    time: Numbers,
-    c: Numbers,
-    times: Numbers,
-    out: Numbers,
-    members: Numbers,
-    origin: Numbers,
-    rtol: Numbers,
-    budget: Numbers,
-) -> None:
+def advance_all(z: Numbers, out: Numbers, budget: Numbers) -> None:
     """Like `advance` for many motions, LANES at a time; a finished motion makes room for the next.
 
-    members : a row per motion: 1 if it has scales, later its final status; its start; its scales
     The memory after all z contains the number of motions begun and the number of unfinished ones.
     """
-    pace = pace_of(rtol)
+    pace = pace_of()
     next_member, running = LANES * MEMORY, LANES * MEMORY + 1
     while z[running] > 0.0 and budget > 0:
         budget -= 1
@@ -229,35 +214,33 @@ def advance_all(
                     z[running] -= 1.0
                 if int(z[next_member]) < len(members):
                     who = int(z[next_member])
-                    begin(motion, work, times, shifted(out, who * len(times) * SIZE), members, who, lane)
+                    begin(motion, shifted(out, who * len(times) * SIZE), who, lane)
                     z[next_member] += 1.0
                     is_new = True
             time[lane] = origin + motion[NEW]
-        coefficients(work, c, time, ORDER)
+        coefficients()
         limit = wide(inf)
         if SATURATES:
-            reach(work, c, time, ORDER)
+            reach()
             limit = work[coefficient(each(0), 1, 0)]
-            rates(work, c, time, ORDER)
-        mark_accepted(z, refused(z, work, time, c, rtol), limit)
+            rates()
+        mark_accepted(z, refused(z), limit)
         for lane in range(LANES):
             motion = shifted(z, lane)
             if motion[ACCEPTED] > 0.0:
-                sample(motion, times, shifted(out, int(motion[WHO]) * len(times) * SIZE))
+                sample(motion, shifted(out, int(motion[WHO]) * len(times) * SIZE))
         take_steps(z)
-        z[each(LIMIT)] = longest(z, work, pace)
+        z[each(LIMIT)] = longest(z, pace)
         if is_new:
             for lane in range(LANES):
                 motion = shifted(z, lane)
                 if motion[H] == 0.0 and motion[STATUS] == RUNNING:
-                    scale_start(motion, work, time, c, lane, motion[LIMIT])
-            z[each(LIMIT)] = longest(z, work, pace)
-        attempt_all(z, work, times, limit)
+                    scale_start(motion, lane, motion[LIMIT])
+            z[each(LIMIT)] = longest(z, pace)
+        attempt_all(z, limit)
 
 
-def begin(
-    z: Numbers, work: Numbers, times: Numbers, out: Numbers, members: Numbers, who: Numbers, lane: Numbers
-) -> None:
+def begin(z: Numbers, out: Numbers, who: Numbers, lane: Numbers) -> None:
     """Initialize a lane with the start of a member."""
     for k in range(NUMBERS + 7 * SIZE):
         z[k * LANES] = 0.0
@@ -299,7 +282,7 @@ def take_steps(z: Numbers) -> None:
     z[each(TRIES)] = (z[each(TRIES)] + 1.0) * refusals
 
 
-def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> None:
+def attempt_all(z: Numbers, limit: Numbers) -> None:
     """Choose and try the next step of each motion."""
     tries = z[each(TRIES)]
     h = z[each(LIMIT)]
@@ -326,31 +309,29 @@ def attempt_all(z: Numbers, work: Numbers, times: Numbers, limit: Numbers) -> No
         for n in range(ORDER + 1):
             was = z[at(POLYNOMIAL + n, i)]
             z[at(POLYNOMIAL + n, i)] = was if tries > 0.0 else work[coefficient(i, n, 0)]
-    extrapolate(z, work, h)
+    extrapolate(z, h)
 
 
-def settle(
-    z: Numbers, work: Numbers, time: Numbers, c: Numbers, times: Numbers, out: Numbers, rtol: Numbers, pace: Numbers
-) -> None:
+def settle(z: Numbers, out: Numbers, pace: Numbers) -> None:
     """Accept or refuse the tried step, then try the next; `work` contains the coefficients at the state in z."""
     limit = inf
     if SATURATES:
-        reach(work, c, time, ORDER)
+        reach()
         limit = work[coefficient(0, 1, 0)]
-        rates(work, c, time, ORDER)
+        rates()
     h = 0.0
-    if z[H] > 0.0 and (z[H] > 2.0 * limit or refused(z, work, time, c, rtol) > 0.0):
+    if z[H] > 0.0 and (z[H] > 2.0 * limit or refused(z) > 0.0):
         z[REFUSALS] += 1.0
         z[TRIES] += 1.0
         h = z[H] / 2.0 if z[TRIES] < 3.0 else z[H] / 8.0
     else:
         if z[H] > 0.0:
-            take_step(z, times, out)
+            take_step(z, out)
         if z[STATUS] == RUNNING:
-            h = longest(z, work, pace)
+            h = longest(z, pace)
             if z[STEPS] == 0.0:
-                scale_start(z, work, time, c, 0, h)
-                h = longest(z, work, pace)
+                scale_start(z, 0, h)
+                h = longest(z, pace)
             if not h < inf:
                 h = GROWTH * z[LONGEST]
             if z[STEPS] == 0.0:
@@ -363,12 +344,12 @@ def settle(
             if not 0.0 < h <= FARTHEST:
                 z[STATUS] = SINGULAR
     if z[STATUS] == RUNNING:
-        attempt(z, work, times, h)
+        attempt(z, h)
 
 
-def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numbers, h: Numbers) -> None:
+def scale_start(z: Numbers, lane: Numbers, h: Numbers) -> None:
     """Give a scale to components that have none; h, s, estimates the first step. z[STATUS] is LACKING if that fails."""
-    if z[SIZED] != 1.0 and lacking(z, work, lane) and not sized(z, work, time, c, lane, h if h < inf else z[LONGEST]):
+    if z[SIZED] != 1.0 and lacking(z, lane) and not sized(z, lane, h if h < inf else z[LONGEST]):
         z[STATUS] = LACKING
     elif h < inf:
         for i in range(SIZE):  # a component that is small but changes fast
@@ -376,20 +357,20 @@ def scale_start(z: Numbers, work: Numbers, time: Numbers, c: Numbers, lane: Numb
                 z[at(M, i)] = max(z[at(M, i)], h * abs(work[coefficient(i, 1, lane)]))
 
 
-def refused(z: Numbers, work: Numbers, time: Numbers, c: Numbers, rtol: Numbers) -> Numbers:
+def refused(z: Numbers) -> Numbers:
     """Return 1 if the polynomial's derivative at the end differs from the rates by more than tolerance and rounding."""
     limit = TOLERATED * (ORDER + 1) * max(rtol, 2.0**-52)
-    wrong = off(z, work, limit, 0.0)
+    wrong = off(z, limit, 0.0)
     if largest_of_all(wrong) > 0.0:
-        roundoff(work, c, time, ORDER)
+        roundoff()
         for i in components():
             z[at(NOISE, i)] = work[coefficient(i, 1, 0)]
-        rates(work, c, time, ORDER)
-        wrong = off(z, work, limit, ROUNDINGS)
+        rates()
+        wrong = off(z, limit, ROUNDINGS)
     return wrong
 
 
-def off(z: Numbers, work: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
+def off(z: Numbers, limit: Numbers, roundings: Numbers) -> Numbers:
     """Return 1 if the error of any derivative times the step is NaN or larger than the limit plus rounding bounds."""
     h = z[each(H)]
     wrong = wide(0.0)
@@ -402,7 +383,7 @@ def off(z: Numbers, work: Numbers, limit: Numbers, roundings: Numbers) -> Number
     return largest(wrong)
 
 
-def sample(z: Numbers, times: Numbers, out: Numbers) -> None:
+def sample(z: Numbers, out: Numbers) -> None:
     """Write the samples within the accepted step."""
     row = int(z[ROW])
     while row < len(times) and times[row] <= z[NEW]:
@@ -415,9 +396,9 @@ def sample(z: Numbers, times: Numbers, out: Numbers) -> None:
         z[STATUS] = DONE
 
 
-def take_step(z: Numbers, times: Numbers, out: Numbers) -> None:
+def take_step(z: Numbers, out: Numbers) -> None:
     """Advance by the accepted step: write its samples and scales of components that had none."""
-    sample(z, times, out)
+    sample(z, out)
     for i in components():
         if z[SIZED] != 1.0:  # a component without scale gets its size after the accepted step
             z[at(M, i)] = abs(z[at(Y, i)]) if z[at(M, i)] <= NO_SCALE else z[at(M, i)]
@@ -436,7 +417,7 @@ def evaluate(z: Numbers, i: Numbers, x: Numbers) -> Numbers:
     return z[at(POLYNOMIAL, i)] + (z[at(REST, i)] + value * x)
 
 
-def longest(z: Numbers, work: Numbers, pace: Numbers) -> Numbers:
+def longest(z: Numbers, pace: Numbers) -> Numbers:
     """Return the step size by the last four coefficients of all components; pace : from `pace_of`.
 
     Return inf if all of them are zero, 0 if one is not finite.
@@ -457,7 +438,7 @@ def longest(z: Numbers, work: Numbers, pace: Numbers) -> Numbers:
     return h if parts < inf else 0.0
 
 
-def attempt(z: Numbers, work: Numbers, times: Numbers, h: Numbers) -> None:
+def attempt(z: Numbers, h: Numbers) -> None:
     """Try a step of h, shortened to end at the last time."""
     t = z[T]
     end = times[len(times) - 1]
@@ -473,10 +454,10 @@ def attempt(z: Numbers, work: Numbers, times: Numbers, h: Numbers) -> None:
         return
     z[H] = h
     z[NEW] = new
-    extrapolate(z, work, h)
+    extrapolate(z, h)
 
 
-def extrapolate(z: Numbers, work: Numbers, h: Numbers) -> None:
+def extrapolate(z: Numbers, h: Numbers) -> None:
     """Evaluate the polynomial and its derivative at the end of a step of h, with a compensated sum."""
     for i in components():
         value = wide(0.0)
