@@ -13,7 +13,7 @@ Physics 79, 2011). So `supplied` is the share of that momentum from the rest of 
 scale. 0 is the textbook, where half of density v^3 is lost; at 1/2 nothing is lost; a real chain is between.
 """
 
-from math import inf, sqrt
+from math import inf
 
 from tam570.arguments import finite, nonnegative, positive
 from tam570.show.scenes import chains, drawn_for
@@ -50,22 +50,17 @@ def poured(fallen: float, *, density: float, gravity: float, supplied: float = 0
     length   : of the chain, m; that pull hardly accelerates a very long one
     """
     positive(density=density)
-    nonnegative(gravity=gravity)
-    square = _landing_speed(fallen, length, gravity, supplied) ** 2
-    return density * (gravity * fallen + (1 - supplied) * square)
-
-
-def _landing_speed(fallen: float, length: float, gravity: float, supplied: float) -> float:
-    """Return the speed, m/s, from (length - x) v v' = (length - x) g + supplied v^2, in powers of length - x."""
-    nonnegative(fallen=fallen)
+    nonnegative(fallen=fallen, gravity=gravity)
     _check_share(supplied)
-    if supplied == 0 or length == inf:
-        return sqrt(2 * gravity * fallen)
-    positive(length=length)
-    if fallen >= length:
-        raise ValueError(f"fallen: must be less than the length, {length:g} m; got {fallen!r}")
-    power, remaining = 2 * supplied, 1 - fallen / length
-    return sqrt(2 * gravity * length * (remaining**-power - remaining) / (1 + power))
+    square = 2 * gravity * fallen  # of the speed v, m^2/s^2
+    if supplied != 0 and length != inf:
+        positive(length=length)
+        if fallen >= length:
+            raise ValueError(f"fallen: must be less than the length, {length:g} m; got {fallen!r}")
+        # (length - x) v v' = (length - x) g + supplied v^2 is solved by powers of length - x
+        power, remaining = 2 * supplied, 1 - fallen / length
+        square = 2 * gravity * length * (remaining**-power - remaining) / (1 + power)
+    return density * (gravity * fallen + (1 - supplied) * square)
 
 
 def _check_share(supplied: float) -> None:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from math import hypot, sin, sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from tam570.arguments import array, finite, nonnegative, numbers, positive, sequence
 from tam570.show.scene import Array
@@ -22,8 +22,6 @@ STATE = {"x": "m", "y": "m", "vx": "m/s", "vy": "m/s"}  # as seen from the turnt
 EXAMPLE = {"mass": 1.0, "stiffness": 0.5, "spin": 1.5}  # kg, N/m, rad/s
 START = (1.0, 0.0, -0.6, -1.2)
 SECONDS = 12.0
-
-Complex = NDArray[np.complex128]  # x + i y
 
 
 def rates(t: float, state: Sequence[float], *, mass: float, stiffness: float, spin: float) -> tuple[float, ...]:
@@ -51,17 +49,17 @@ def centrifugal(state: ArrayLike, *, mass: float, stiffness: float, spin: float)
 def to_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
     """Convert a state (4,), seen from the turntable at the time t, s, to one in space; or (n, 4) at t (n,)."""
     finite(spin=spin)
-    r, v = _complex(state)
-    turned = np.exp(1j * spin * array(np.shape(state)[:-1], t=t))
-    return _real(turned * r, turned * (v + 1j * spin * r))
+    states = array(None, state=state)
+    x, y, vx, vy = np.moveaxis(array((*states.shape[:-1], 4), state=states), -1, 0)
+    turned = np.exp(1j * spin * array(states.shape[:-1], t=t))  # x + i y is turned by this factor
+    r, v = turned * (x + 1j * y), turned * (vx + 1j * vy + 1j * spin * (x + 1j * y))
+    return np.stack([r.real, r.imag, v.real, v.imag], axis=-1)
 
 
 def from_space(t: ArrayLike, state: ArrayLike, *, spin: float) -> Array:
     """Convert a state (4,) in space, at the time t, s, to one seen from the turntable; or (n, 4) at t (n,)."""
     finite(spin=spin)
-    r, v = _complex(state)
-    turned = np.exp(-1j * spin * array(np.shape(state)[:-1], t=t))
-    return _real(turned * r, turned * (v - 1j * spin * r))
+    return to_space(t, state, spin=-spin)  # seen from the turntable, space turns the other way
 
 
 def exact(t: ArrayLike, state: ArrayLike, *, mass: float, stiffness: float, spin: float) -> Array:
@@ -111,16 +109,6 @@ def foucault_path(t: ArrayLike, *, length: float, gravity: float, latitude: floa
     swing = np.cos(w * numbers(t=t)) + 1j * rate / w * np.sin(w * numbers(t=t))
     bob = np.exp(1j * plane) * swing
     return np.column_stack([bob.real, bob.imag])
-
-
-def _complex(state: ArrayLike) -> tuple[Complex, Complex]:
-    states = array(None, state=state)
-    x, y, vx, vy = np.moveaxis(array((*states.shape[:-1], 4), state=states), -1, 0)
-    return x + 1j * y, vx + 1j * vy
-
-
-def _real(r: Complex, v: Complex) -> Array:
-    return np.stack([r.real, r.imag, v.real, v.imag], axis=-1)
 
 
 def _check(mass: float, stiffness: float, spin: float) -> None:

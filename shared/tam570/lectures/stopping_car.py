@@ -36,7 +36,7 @@ def by_centre_of_mass(
     """
     mu_f, mu_r = _checked(height, front, rear, friction, gravity, locked)
     equations = [[1.0, -mu_f, -mu_r], [0.0, 1.0, 1.0], [-height, front, -rear]]
-    return _solved(equations, [0.0, gravity, 0.0])
+    return _on_the_ground(*np.linalg.solve(equations, [0.0, gravity, 0.0]).tolist())
 
 
 def by_three_points(
@@ -47,7 +47,8 @@ def by_three_points(
     base = front + rear
     arm = height + base  # of the friction about the third point
     equations = [[height, 0.0, base], [-height, base, 0.0], [base, -arm * mu_f, -arm * mu_r - base]]
-    return _solved(equations, [gravity * front, gravity * rear, -gravity * front])
+    moments = [gravity * front, gravity * rear, -gravity * front]
+    return _on_the_ground(*np.linalg.solve(equations, moments).tolist())
 
 
 def by_one_point(
@@ -80,10 +81,6 @@ def _checked(
     if lever > front * (1 + ROUNDING) or (locked == "front" and lever >= front + rear):
         raise ValueError(f"the rear axle lifts: friction times height, {lever:g} m, reaches over front, {front:g} m")
     return mu_f, mu_r
-
-
-def _solved(equations: list[list[float]], rhs: list[float]) -> tuple[float, float, float]:
-    return _on_the_ground(*np.linalg.solve(equations, rhs).tolist())
 
 
 def _on_the_ground(deceleration: float, front_load: float, rear_load: float) -> tuple[float, float, float]:
