@@ -7,7 +7,6 @@ import json
 import os
 import sys
 import traceback
-from collections.abc import Iterable
 from pathlib import Path
 
 from tam570.checking import ALL_PASS, OUR_FAULT, SOME_FAIL
@@ -46,18 +45,13 @@ def main(argument: str) -> int:
 def _import_ahead(path: Path) -> None:
     """Import the libraries that a file imports; ignore its errors, which are reported when it runs."""
     with contextlib.suppress(OSError, SyntaxError, ValueError):
-        for name in _imported(path):
+        nodes = [*ast.walk(ast.parse(path.read_text(encoding="utf-8")))]
+        names = [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
+        names += [node.module or "" for node in nodes if isinstance(node, ast.ImportFrom)]
+        for name in names:
             if name.partition(".")[0] in LIBRARIES:
                 with contextlib.suppress(ImportError):
                     importlib.import_module(name)
-
-
-def _imported(path: Path) -> Iterable[str]:
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
 
 
 if __name__ == "__main__":

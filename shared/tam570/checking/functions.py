@@ -2,6 +2,7 @@
 
 import functools
 import time
+import traceback
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, field
@@ -158,7 +159,7 @@ class Functions:
                 name, f"{name} did not return within {CALL:g} s. The grader ends such a call: is there an endless loop?"
             ) from None
         except NotImplementedError as error:
-            last = _last(error, name)
+            last = traceback.extract_tb(error.__traceback__)[-1].name
             raise Fault(last if last in self.results else name, f"{last} is not written yet.", unwritten=True) from None
         except (Fault, ValueError):
             raise
@@ -193,14 +194,6 @@ class Functions:
 def _origin(value: Numbers) -> str:
     """Return the name of the module that a value is, or comes from."""
     return value.__name__ if isinstance(value, ModuleType) else str(getattr(value, "__module__", None))
-
-
-def _last(error: BaseException, name: str) -> str:
-    """Return the name of the function that raised the error."""
-    trace = error.__traceback__
-    while trace is not None:
-        name, trace = trace.tb_frame.f_code.co_name, trace.tb_next
-    return name
 
 
 def _contents(arguments: CallArguments) -> bytes:

@@ -125,7 +125,7 @@ def advance(
             if at_last and ((jumps and _sets_in(y, n, a)) or (crosses and pace > 0.0 and _has_no_scale(a))):
                 halt = SETS_IN
             if times[row] <= new:
-                row = _sampled(dense, at, origin, times, out, row, t, new, h, (y, n, f, g, stages), c)
+                row = _sampled((dense, at, c), origin, times, out, row, (t, new, h, y, n, f, g, stages))
             t, y, r, f = new, n, rest, g
             h = _longer(h, error, growth, may_be_rounding, end)
             if is_brief and pace > 0.0:  # the step may have crossed a switch
@@ -216,21 +216,10 @@ def _error(fifth: Numbers, third: Numbers, suspicious: Numbers) -> Numbers:
     return error
 
 
-def _sampled(
-    dense: Numbers,
-    at: Numbers,
-    origin: Numbers,
-    times: Numbers,
-    out: Numbers,
-    row: Numbers,
-    t: Numbers,
-    new: Numbers,
-    h: Numbers,
-    step: Numbers,
-    c: Numbers,
-) -> Numbers:
+def _sampled(generated: Numbers, origin: Numbers, times: Numbers, out: Numbers, row: Numbers, step: Numbers) -> Numbers:
     """Fill the rows of the samples in a step; return the next row."""
-    y, n, f, g, stages = step
+    dense, at, c = generated
+    t, new, h, y, n, f, g, stages = step
     if times[row] < new:
         q = dense(origin + t, h, y, n, f, g, stages, c)
         while times[row] < new:

@@ -75,13 +75,7 @@ SWEEPS = 8  # iterations of the power method: accurate to a factor of two if one
 
 
 def watch_for_end(
-    rhs: Callable[..., Sequence[float]],
-    c: Numbers,
-    origin: float,
-    end: float,
-    sign: float,
-    too_many: int,
-    in_vain: float = OUT_OF_REACH,
+    rhs: Function, c: Numbers, origin: float, end: float, sign: float, too_many: int, in_vain: float
 ) -> Look:
     """Return look(t, y, m, steps, refusals, by_rounding), to be called between steps of a run up to `end`.
 
@@ -95,14 +89,7 @@ def watch_for_end(
     """
     before, stiff_looks, idle_looks, blurred_looks, crawling_looks = (0.0, 0, 0), 0, 0, 0, 0
 
-    def look(
-        t: float,
-        y: Sequence[float],
-        m: Callable[[], Sequence[float]],
-        steps: int,
-        refusals: int,
-        by_rounding: bool = False,
-    ) -> None:
+    def look(t: float, y: Sequence[float], m: Function, steps: int, refusals: int, by_rounding: bool = False) -> None:
         nonlocal before, stiff_looks, idle_looks, blurred_looks, crawling_looks
         moved, accepted, refused = t - before[0], steps - before[1], refusals - before[2]
         tried = accepted + refused
