@@ -8,7 +8,6 @@ have a jump there, which is not round-off.
 import inspect
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import lru_cache
 
 import numpy as np
 
@@ -37,11 +36,11 @@ def bound(rhs: Function, parameters: Parameters | None, name: str = "rhs") -> Ra
         raise ValueError(f"parameters: must be a mapping of names to values, got {type(parameters).__name__}")
     fixed = dict(parameters or {})
     try:
-        problem = _misfit(rhs, tuple(fixed))
-    except TypeError:  # rhs is not hashable
-        problem = _misfit.__wrapped__(rhs, tuple(fixed))
-    if problem:
-        raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}")
+        inspect.signature(rhs).bind(0.0, None, **fixed)
+    except TypeError as problem:
+        raise ValueError(f"{name}: cannot be called with (t, y, **parameters): {problem}") from None
+    except ValueError:  # it has no signature
+        pass
     if not fixed:
         return rhs
     return lambda t, y: rhs(t, y, **fixed)
@@ -65,18 +64,6 @@ def check_start(rates: Rates, t: float, y0: Array, sign: float) -> None:
             f"rhs: gives {at_start.tolist()} and then {repeated.tolist()} at the start; "
             "it must not be random, nor remember earlier calls"
         )
-
-
-@lru_cache(maxsize=256)
-def _misfit(rhs: Function, names: tuple[str, ...]) -> str:
-    """Return why rhs does not accept t, y and these keywords; empty if it does, or if it has no signature."""
-    try:
-        inspect.signature(rhs).bind(0.0, None, **dict.fromkeys(names))
-    except TypeError as problem:
-        return str(problem)
-    except ValueError:
-        return ""
-    return ""
 
 
 class CalledRates:

@@ -94,18 +94,11 @@ def live_if_written(make: Callable[[], Live]) -> Live | None:
         return None
 
 
-@dataclass(frozen=True)
-class Program:
-    """JavaScript and data for the page; the code has no text from a student's file."""
+def program(live: Live) -> tuple[str, Json] | None:
+    """Write an interactive scene as JavaScript, with its data; return None if its functions cannot be traced.
 
-    code: str
-    data: Json
-
-
-def program(live: Live) -> Program | None:
-    """Write an interactive scene as JavaScript; return None if its functions cannot be traced.
-
-    If a function needs the value of a parameter, all parameters are constants, without sliders.
+    The code has no text from a student's file. If a function needs the value of a parameter, all parameters are
+    constants, without sliders.
     """
     sliders = _sliders(live.parameters)
     for chosen in (sliders, [])[: 1 + bool(sliders)]:
@@ -133,7 +126,7 @@ class _Writer:
     def __init__(self, live: Live, sliders: Sequence[tuple[str, int | None, float]]) -> None:
         self.live, self.sliders, self.k, self.m = live, sliders, len(live.start), len(sliders)
 
-    def program(self) -> Program:
+    def program(self) -> tuple[str, Json]:
         rates, drawing = self.live.rates, self.live.drawing  # a trace follows functions in a closure
         of_rates = self._traced(lambda t, state, arguments, pointer: rates(t, state, **arguments))
         self._compare(of_rates)
@@ -175,7 +168,7 @@ class _Writer:
             "constant": has_first and self.live.conserved,
             "rests": has_first and self.live.rests,
         }
-        return Program(code, data)
+        return code, data
 
     def _is_traceable(self, measure: Function) -> bool:
         try:

@@ -6,7 +6,7 @@ from pathlib import Path
 from string import Template
 
 from tam570.show.compact import packed
-from tam570.show.live import program as written
+from tam570.show.live import program
 from tam570.show.scene import Scene
 
 HERE = Path(__file__).parent / "player"
@@ -14,8 +14,8 @@ HERE = Path(__file__).parent / "player"
 
 def page(scene: Scene) -> str:
     """Return the scene's page. Input from a student is data in it, never markup or code."""
-    program = written(scene.live) if scene.live else None
-    data = {**packed(scene), "live": program.data if program else None}
+    code, live = (scene.live and program(scene.live)) or ("const program = null;", None)
+    data = {**packed(scene), "live": live}
     return Template(_read("page.html")).substitute(
         title=html.escape(scene.title),
         alt_text=html.escape(scene.alt_text),
@@ -23,7 +23,7 @@ def page(scene: Scene) -> str:
         settings=html.escape(", ".join(f"{name} = {value}" for name, value in scene.settings.items())),
         style=_read("page.css"),
         view=_read("space.js" if scene.in_space else "plane.js"),
-        program=program.code if program else "const program = null;",
+        program=code,
         live=_read("live.js"),
         time_plots=_read("time_plots.js"),
         player=_read("player.js"),

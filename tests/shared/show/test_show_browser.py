@@ -294,5 +294,5 @@ def angular_momentum_balance(theta, omega, *, mass, length, gravity):
         scene = scene_of(load_student(file, file.stem), file.stem)
         written = program(scene.live)
         assert (written is None) == (sliders is None)
-        assert written is None or len(written.data["parameters"]) == sliders
+        assert written is None or len(written[1]["parameters"]) == sliders
     assert tab(scene).evaluate("grasped === null && program === null && !live.on")

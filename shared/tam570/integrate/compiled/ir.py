@@ -1,14 +1,11 @@
 """Writes LLVM's intermediate representation as text: values, constants, blocks."""
 
+import operator
 import struct
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 Operand: TypeAlias = Any  # a Value, an Array, a Slot, or a compile-time constant: a number or a tuple
-
-
-class Untranslatable(TypeError):
-    """Python code that the translator does not support."""
 
 
 @dataclass(frozen=True)
@@ -80,10 +77,7 @@ class Writer:
             return _literal(value, ir_type)
         if value.ir_type == ir_type or (value.ir_type, ir_type) == ("lanes", "i64"):
             return value.text
-        change = _CHANGES.get((value.ir_type, ir_type))
-        if change is None:
-            raise Untranslatable(f"a {value.ir_type} where a {ir_type} is needed")
-        return self.emit(ir_type, change.format(value.text)).text
+        return self.emit(ir_type, _CHANGES[value.ir_type, ir_type].format(value.text)).text
 
     def spread(self, value: Operand, vector: str) -> str:
         """Return a vector with the value in every element."""
@@ -120,12 +114,8 @@ _CHANGES = {
 
 
 def _literal(value: Operand, ir_type: str) -> str:
-    if not isinstance(value, int | float):
-        raise Untranslatable(f"{value!r} where a {ir_type} is needed")
     if ir_type == "double":
         return number(float(value))
     if ir_type == "i1":
         return "true" if value else "false"
-    if isinstance(value, float):
-        raise Untranslatable(f"{value!r} where a whole number is needed")
-    return str(int(value))
+    return str(operator.index(value))  # TypeError for a float

@@ -9,7 +9,7 @@ import math
 import operator
 from collections.abc import Callable, Mapping, Sequence
 
-from tam570.integrate.compiled.ir import Array, Operand, Slot, Untranslatable, Value, Writer, number
+from tam570.integrate.compiled.ir import Array, Operand, Slot, Value, Writer, number
 from tam570.values import Function, Json, Parameters
 
 Names = Json
@@ -23,7 +23,6 @@ ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Operand, Operand], Ope
     ast.Sub: ("sub", operator.sub),
     ast.Mult: ("mul", operator.mul),
     ast.Div: ("div", operator.truediv),
-    ast.FloorDiv: ("sdiv", operator.floordiv),
 }
 ORDER: dict[type[ast.cmpop], tuple[str, str, Callable[[Operand, Operand], bool]]] = {
     ast.Lt: ("olt", "slt", operator.lt),
@@ -121,10 +120,7 @@ class Translator(Writer):
         return all(self.statement(names, statement) for statement in statements)
 
     def statement(self, names: Names, node: ast.stmt) -> bool:
-        method = getattr(self, f"do_{type(node).__name__}", None)
-        if method is None:
-            raise Untranslatable(f"{type(node).__name__} in {ast.unparse(node)}")
-        return bool(method(names, node))
+        return bool(getattr(self, f"do_{type(node).__name__}")(names, node))
 
     def do_Expr(self, names: Names, node: ast.Expr) -> bool:
         if not isinstance(node.value, ast.Constant):  # else a docstring
@@ -263,10 +259,7 @@ class Translator(Writer):
         ]
 
     def value(self, names: Names, node: ast.expr) -> Operand:
-        method = getattr(self, f"of_{type(node).__name__}", None)
-        if method is None:
-            raise Untranslatable(f"{type(node).__name__} in {ast.unparse(node)}")
-        return method(names, node)
+        return getattr(self, f"of_{type(node).__name__}")(names, node)
 
     def of_Constant(self, names: Names, node: ast.Constant) -> Operand:
         return node.value
@@ -294,8 +287,6 @@ class Translator(Writer):
     def address(self, names: Names, node: ast.Subscript) -> tuple[str, str]:
         """Return the address of an array's element and its type: a double or a vector."""
         array, index = self.value(names, node.value), self.value(names, node.slice)
-        if not isinstance(array, Array):
-            raise Untranslatable(f"{ast.unparse(node)}: not an array")
         if isinstance(index, tuple):
             rows = self.arithmetic(ast.Mult(), index[0], array.row)
             index = self.arithmetic(ast.Add(), rows, index[1])
@@ -323,8 +314,6 @@ class Translator(Writer):
         value = self.value(names, node.operand)
         if isinstance(node.op, ast.Not):
             return self.emit("i1", f"xor i1 {self.text(value, 'i1')}, true") if isinstance(value, Value) else not value
-        if isinstance(node.op, ast.UAdd):
-            return value
         if not isinstance(value, Value):
             return -value
         ir_type = value.ir_type
@@ -398,7 +387,7 @@ class Translator(Writer):
             return Value("double", self.text(arguments[0], "double"))
         if function == "int":
             return self.emit("i64", f"fptosi double {self.text(arguments[0], 'double')} to i64")
-        raise Untranslatable(f"call of {function}")
+        raise NotImplementedError(function)
 
     def extreme(self, function: str, arguments: list[Operand]) -> Operand:
         """Return min or max as Python does: replace the first only by a value beyond it, so min(1, nan) is 1."""
