@@ -14,7 +14,7 @@ from tam570.integrate import dop853, solve, solve_rotation
 from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
-from tam570.invariants import drift, observed_order, rotation_defect, violation
+from tam570.invariants import drift, observed_order, violation
 from tam570.lectures import rocket
 
 
@@ -82,19 +82,6 @@ def test_projection_keeps_a_constraint_and_leaves_the_motion_right():
     assert states[:, 0] == pytest.approx(np.sin(angle), abs=1e-7)  # 2000 steps of 1e-12 add up in the phase
     free = solve(particle, t, [1.0, 0.0, 0.0, 0.0])
     assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, free).max() > 1e-9  # without the projection
-
-
-def test_rotations_stay_rotations_and_angular_momentum_stays():
-    def euler(t, omega, *, inertia):
-        A, B, C = inertia
-        p, q, r = omega
-        return (B - C) / A * q * r, (C - A) / B * r * p, (A - B) / C * p * q
-
-    t, inertia = np.linspace(0, 200, 101), (1.0, 2.0, 3.0)
-    omegas, R = solve_rotation(euler, t, [0.1, 1.0, 0.2], np.eye(3), parameters={"inertia": inertia}, rtol=1e-12)
-    assert rotation_defect(R).max() < 1e-14
-    momentum = np.einsum("nij,nj->ni", R, inertia * omegas)
-    assert np.abs(momentum - momentum[0]).max() < 1e-9
 
 
 def test_a_rotation_passes_zero_over_zero():
@@ -227,19 +214,22 @@ def test_inside_a_step_the_error_is_that_of_the_step():
         assert worst < 5 * max(estimate, abs(n - exact_clock(h)))  # 20 to 60 with DOP853's interpolant
 
 
-@pytest.mark.parametrize(("method", "order"), [("gauss", 12), ("composition", 8)])
-def test_fixed_steps_show_their_order(method, order):
-    steps = np.array([0.8, 0.5, 0.4]) if method == "gauss" else np.array([0.2, 0.125, 0.1])
-    swing = partial(solve, pendulum, [0, 4], [1.0, 0.5], parameters={"length": 9.81, "gravity": 9.81})
-    exact = swing(rtol=1e-15)[-1]
-    errors = [np.abs(swing(method=method, step=h)[-1] - exact).max() for h in steps]
+swing = partial(pendulum, length=1.0, gravity=1.0)
+
+
+@pytest.mark.parametrize(
+    ("method", "rhs", "start", "steps", "order"),
+    [
+        ("gauss", swing, [1.0, 0.5], (0.8, 0.5, 0.4), 12),
+        ("gauss", clock, [1.0], (1.0, 0.8, 0.5), 12),  # a stage at the wrong time has a lower order
+        ("composition", swing, [1.0, 0.5], (0.2, 0.125, 0.1), 8),
+    ],
+)
+def test_fixed_steps_show_their_order(method, rhs, start, steps, order):
+    run = partial(solve, rhs, [0, 4], start)
+    exact = run(rtol=1e-15)[-1]
+    errors = [np.abs(run(method=method, step=h)[-1] - exact).max() for h in steps]
     assert observed_order(steps, errors) > order - 0.7
-
-
-def test_gauss_knows_the_time_of_its_stages():
-    steps = np.array([1.0, 0.8, 0.5])
-    errors = [abs(solve(clock, [0, 4], [1.0], method="gauss", step=h)[-1, 0] - math.exp(math.sin(4))) for h in steps]
-    assert observed_order(steps, errors) > 10.5
 
 
 def test_tolerances_beyond_rounding_finish():
