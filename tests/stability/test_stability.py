@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 import pytest
 from parameters import first
-from run_time.scenes import SCENES, scene
+from run_time.scenes import OTHERS, SCENES, scene
 from scipy.integrate import solve_ivp
 from scipy.special import ellipk
 from systems import PENDULUM, pendulum
@@ -15,6 +15,7 @@ from tam570.integrate import solve
 from tam570.invariants import drift, growth_exponent
 
 G = 9.81  # m/s^2
+heat, _, _ = OTHERS["DETEST C3"]
 
 
 def pendulum_energy(state):
@@ -70,9 +71,9 @@ def test_energy_over_ten_thousand_periods(method):
     assert growth_exponent(share, mean) < 0.6  # a random walk is 0.5, a drift would be 1
 
 
-def chain(masses):
+def chain(t, y):
     """Return the rates of masses of 1 kg between springs of 1 N/m with fixed ends."""
-    return lambda t, y: [*y[masses:], *heat(t, y[:masses])]
+    return [*y[len(y) // 2 :], *heat(t, y[: len(y) // 2])]
 
 
 def by_scipy(rates, t, start, **options):
@@ -83,19 +84,6 @@ def by_scipy(rates, t, start, **options):
     return result.y.T
 
 
-def fermi_pasta_ulam(t, y):
-    """Return the rates of 16 masses between springs with a linear, a quadratic and a cubic term."""
-    x = [0.0, *y[:16], 0.0]
-    stretch = [b - a for a, b in zip(x, x[1:], strict=False)]
-    pull = [d + 0.25 * d * d + d * d * d for d in stretch]
-    return [*y[16:], *(b - a for a, b in zip(pull, pull[1:], strict=False))]
-
-
-def heat(t, y):
-    u = [0.0, *y, 0.0]
-    return [u[i - 1] - 2 * u[i] + u[i + 1] for i in range(1, len(y) + 1)]
-
-
 def cascade(t, y):
     """Return rates in which each component drives the next by its square; at first only the first one has an effect."""
     return [-y[0], *(a * a - b for a, b in zip(y, y[1:], strict=False))]
@@ -104,14 +92,14 @@ def cascade(t, y):
 @pytest.mark.parametrize(
     ("rates", "start", "end"),
     [
-        *((chain(masses), np.eye(2 * masses)[0], 20) for masses in (4, 8, 30)),
-        (fermi_pasta_ulam, np.eye(32)[16], 20),
+        *((chain, np.eye(2 * masses)[0], 20) for masses in (4, 8, 30)),
+        *((OTHERS[f"FPU {name}"][0], np.eye(32)[16], 20) for name in ("alpha, 8", "beta, 16")),
         (heat, np.eye(50)[25], 5),  # C4 has 51 from the edge
         (heat, np.eye(50)[0], 5),
-        (lambda t, y: [-y[0], *(y[i - 1] - y[i] for i in range(1, 9)), y[8]], np.eye(10)[0], 20),
-        (lambda t, y: [-y[0], *(i * y[i - 1] - (i + 1) * y[i] for i in range(1, 9)), 9 * y[8]], np.eye(10)[0], 20),
+        *((OTHERS[f"DETEST {name}"][0], np.eye(10)[0], 20) for name in ("C1", "C2")),
         (cascade, np.eye(6)[0], 10),
     ],
+    ids=["4 masses", "8 masses", "30 masses", "FPU alpha", "FPU beta", "heat inside", "heat", "C1", "C2", "cascade"],
 )
 @pytest.mark.parametrize("rtol", first(1, [1e-8, 1e-6, 1e-11]))
 def test_what_reaches_the_others_only_later(rates, start, end, rtol):
