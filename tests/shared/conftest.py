@@ -69,6 +69,18 @@ def hw08(desk, solution_text):
     return hw08
 
 
+@pytest.fixture
+def edited(desk, solution_text):
+    """`edited(slug, below)` -> a file with the solution and then this text."""
+
+    def edited(slug, below=""):
+        file = desk / f"{slug}.py"
+        file.write_text(f"{solution_text(slug)}\n\n{below}\n")
+        return file
+
+    return edited
+
+
 @pytest.fixture(scope="session")
 def scenes(course):
     """`scenes(name)` -> the cached scene of a lecture, or of an assignment with its reference solution."""

@@ -59,6 +59,18 @@ BRIEF = {"TAM570_CALL_LIMIT": "2"}  # s, only for calls that hang: on a busy mac
 NAMED = "import scipy.spatial\nTurn = scipy.spatial.transform.Rotation\n"
 
 
+@pytest.fixture
+def words(edited, tam570, in_process):
+    """`words(slug, below)` -> what `check` prints of the solution with this text below it, in one line; it fails."""
+
+    def words(slug, below):
+        code, said = tam570("check", edited(slug, below))
+        assert code == 1
+        return " ".join(said.split())
+
+    return words
+
+
 @pytest.mark.parametrize("above", first(4, TOP))
 def test_what_stops_the_import_where_work_is_graded_stops_it_here(hw08, desk, tam570, grade, above):
     file = hw08(above=above + "\n")
@@ -99,19 +111,16 @@ def test_what_a_call_does_wrong_is_said_at_once_and_costs_its_points_alone(hw08,
     assert result.status == "graded" and 0 < result.score < 10
 
 
-def test_a_number_of_results_is_compared_and_not_unpacked(desk, tam570, in_process, solution_text):
-    text = solution_text("hw07_double_pendulum") + "\n\ndef on_the_fly(*a, **k):\n    return np.zeros(3)\n"
-    (desk / "hw07.py").write_text(text)
-    said = tam570("check", "hw07.py")[1]
-    assert "on_the_fly returned 3 results, not a tuple of 2 results" in " ".join(said.split())
+def test_a_number_of_results_is_compared_and_not_unpacked(words):
+    said = words("hw07_double_pendulum", "def on_the_fly(*a, **k):\n    return np.zeros(3)")
+    assert "on_the_fly returned 3 results, not a tuple of 2 results" in said
 
 
 @pytest.mark.parametrize("above", first(1, INTEGRATORS))
-def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(desk, tam570, in_process, solution_text, above):
-    text = f"{solution_text('hw02_ballistics')}\n\n{above}\nkept = trajectory\n\ndef trajectory(*args, **how):\n"
-    (desk / "hw02.py").write_text(f"{text}    {INTEGRATORS[above]}\n    return kept(*args, **how)\n")
-    code, said = tam570("check", "hw02.py")
-    assert code == 1 and "off limits in trajectory" in " ".join(said.split())
+def test_what_is_off_limits_in_one_function_may_be_used_in_the_others(words, above):
+    calling = f"def trajectory(*args, **how):\n    {INTEGRATORS[above]}\n    return kept(*args, **how)"
+    said = words("hw02_ballistics", f"{above}\nkept = trajectory\n\n{calling}")
+    assert "off limits in trajectory" in said
     assert "test_drag" not in said and "drag is against the velocity" not in said
 
 
@@ -122,9 +131,9 @@ def test_prints_do_not_bury_the_failure(hw08, tam570):
     assert len(said.splitlines()) < 30 and max(map(len, said.splitlines())) <= 80
 
 
-def test_a_terminal_without_greek_letters_is_enough(desk, solution_text):
-    (desk / "hw06.py").write_text(solution_text("hw06_braking") + "\n\ndef axle_load(*a, **k):\n    return 'Ω²'\n")
-    command = [sys.executable, "-m", "tam570", "check", "hw06.py", "--final"]
+def test_a_terminal_without_greek_letters_is_enough(edited):
+    file = edited("hw06_braking", "def axle_load(*a, **k):\n    return 'Ω²'")
+    command = [sys.executable, "-m", "tam570", "check", file.name, "--final"]
     environment = {**os.environ, "PYTHONIOENCODING": "ascii"}
     run = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert run.returncode == 1 and not run.stderr
@@ -184,9 +193,8 @@ def test_one_function_is_tested_alone(hw08, tam570, in_process):
     assert code == 2 and "skew, rotation_matrix, rotate" in " ".join(said.split())
 
 
-def test_a_home_that_is_read_only_brings_no_warnings(desk, tam570, solution_text, tmp_path):
-    (desk / "hw02.py").write_text(solution_text("hw02_ballistics"))
-    code, said = tam570("check", "hw02.py", HOME="/proc", TAM570_HOME="/proc/nothing")
+def test_a_home_that_is_read_only_brings_no_warnings(edited, tam570):
+    code, said = tam570("check", edited("hw02_ballistics"), HOME="/proc", TAM570_HOME="/proc/nothing")
     assert code == 0 and "atplotlib" not in said
 
 
@@ -201,7 +209,6 @@ KNOWN = [  # (slug, function, expression that it returns instead, words that `ch
     (HW08, "rotation_matrix", "2 * kept(axis, angle)", "rotation_matrix is twice as large as the right one."),
 ]
 CARELESS = """
-
 def simulate(t, theta0, omega0, *, length, gravity):
     def rates(t, y):
         return y[1], -gravity / length * np.sin(y[0])
@@ -227,12 +234,10 @@ def test_what_follows_from_a_mistake_in_another_function_is_no_mistake(desk, tam
 
 
 @pytest.mark.parametrize(("slug", "name", "body", "remedy"), first(5, KNOWN))
-def test_a_known_mistake_is_named(desk, tam570, in_process, solution_text, slug, name, body, remedy):
+def test_a_known_mistake_is_named(words, slug, name, body, remedy):
     arguments = {"rotation_matrix": "axis, angle", "contact_inertia": "phi, **how"}.get(name, "*args, **how")
-    changed = f"\n\nkept = {name}\n\n\ndef {name}({arguments}):\n    return {body}\n"
-    (desk / f"{slug}.py").write_text(solution_text(slug) + changed)
-    code, said = tam570("check", f"{slug}.py")
-    assert code == 1 and "Your numbers match this mistake: " in said and remedy in " ".join(said.split())
+    said = words(slug, f"kept = {name}\n\n\ndef {name}({arguments}):\n    return {body}")
+    assert "Your numbers match this mistake: " in said and remedy in said
 
 
 HALVES = {
@@ -249,20 +254,18 @@ def test_a_factor_two_that_other_numbers_refute_has_no_name(desk, tam570, in_pro
 
 
 @pytest.mark.parametrize("above", first(1, LOOSE))
-def test_loose_tolerances_are_named(desk, tam570, in_process, solution_text, above):
-    text = f"{solution_text('hw01_simple_pendulum')}\n\n{above}\n{CARELESS.format(call=LOOSE[above])}"
-    (desk / "hw01.py").write_text(text)
-    said = " ".join(tam570("check", "hw01.py")[1].split())
+def test_loose_tolerances_are_named(words, above):
+    said = words("hw01_simple_pendulum", f"{above}\n{CARELESS.format(call=LOOSE[above])}")
     assert "It would pass with the tolerances rtol=1e-9, atol=1e-9 in simulate." in said
 
 
-def test_what_leaves_nothing_but_zeros_is_no_mistake(desk, tam570, in_process, solution_text):
+def test_what_leaves_nothing_but_zeros_is_no_mistake(edited, desk, tam570, in_process):
     """Reversing omega changes only the wrong result, into a correct zero; that does not show that omega is wrong."""
-    wrong = "\n\nkept = euler_equations\n\n\ndef euler_equations(omega, *, inertia):\n"
-    wrong += "    return kept(omega, inertia=inertia) + (np.count_nonzero(omega) == 1 and omega[0] > 0)\n"
-    (desk / f"{HW10}.py").write_text(solution_text(HW10) + wrong)
+    wrong = "kept = euler_equations\n\n\ndef euler_equations(omega, *, inertia):\n"
+    wrong += "    return kept(omega, inertia=inertia) + (np.count_nonzero(omega) == 1 and omega[0] > 0)"
+    file = edited(HW10, wrong)
     test = "assert not hw.euler_equations(np.array([2.0, 0.0, 0.0]), inertia=np.array([1.0, 2.0, 3.0])).any()"
     mine = f"import numpy as np\nimport {HW10} as hw\n\n\ndef test_mine():\n    {test}\n"
     (desk / f"test_{HW10}.py").write_text(mine)
-    code, said = tam570("check", f"{HW10}.py", "euler_equations")
+    code, said = tam570("check", file, "euler_equations")
     assert code == 1 and "match this mistake" not in said

@@ -32,18 +32,6 @@ CHECKS = assignments.find() / "autograder" / "checks"
 HW07 = "hw07_double_pendulum"
 
 
-@pytest.fixture
-def edited(tmp_path, solution_text):
-    """`edited(slug, text)` -> a file with the solution and then this text."""
-
-    def edited(slug, text):
-        file = tmp_path / f"{slug}.py"
-        file.write_text(f"{solution_text(slug)}\n\n{text}\n")
-        return file
-
-    return edited
-
-
 def data(document):
     """Return the data that the player of a page reads."""
     return json.loads(re.search(r'<script type="application/json" id="data">(.*?)</script>', document, re.S)[1])
