@@ -48,6 +48,10 @@ class Person:
         return tuple(dict.fromkeys(value for _, value in self.keys))
 
     @property
+    def called(self) -> str:
+        return self.name or self.ids[0]
+
+    @property
     def folder(self) -> str:
         return folder_of(self.ids[0])
 
@@ -143,12 +147,11 @@ class Directory:
         by_name: dict[str, Person | None] = {}
         for id_kind in KINDS:
             owners: dict[str, list[Person]] = {}
-            for (key_kind, _), everyone in self._by.items():
-                for person in everyone if key_kind == id_kind else ():
-                    for name in {folder_of(value) for key, value in person.keys if key == id_kind}:
-                        owners.setdefault(name, []).append(person)
+            for person in self.people:
+                for name in {folder_of(value) for key, value in person.keys if key == id_kind}:
+                    owners.setdefault(name, []).append(person)
             for name, those in owners.items():
-                by_name.setdefault(name, those[0] if len({id(person) for person in those}) == 1 else None)
+                by_name.setdefault(name, those[0] if len(those) == 1 else None)
         return {name: person for name, person in by_name.items() if person is not None}
 
 
@@ -163,7 +166,7 @@ def groups(path: Path, everyone: Directory) -> dict[str, list[Person]]:
         if row.group:
             who = everyone.owner(row.keys, row.name, must_agree=False)
             if isinstance(who, str):
-                raise UsageError(f"{path}: {row.name or row.ids[0]} of group {row.group} is on no row of the roster")
+                raise UsageError(f"{path}: {row.called} of group {row.group} is on no row of the roster")
             members.setdefault(group_key(row.group), []).append(who)
     return members
 

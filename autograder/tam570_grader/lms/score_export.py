@@ -160,7 +160,7 @@ def _joined(scores: Scores, everyone: Directory, export: Export) -> dict[tuple[i
         f"{name} has scores and is on no row of the roster: add a row, or rename the folder" for name in unmatched
     ]
     export.troubles += [
-        f"{person.name or person.ids[0]} ({person.ids[0]}) has no score in {slug}: does collected.csv say why?"
+        f"{person.called} ({person.ids[0]}) has no score in {slug}: does collected.csv say why?"
         for person in everyone.people
         for slug in sorted({slug for _, slug in scores})
         if not joined.get((id(person), slug))
@@ -173,14 +173,12 @@ def _cell(ours: str, person: Person, column: str, export: Export, overwrite: boo
     theirs = person.row.get(column, "").strip()
     if theirs.upper() in KEPT:
         if ours not in ("", theirs.upper()):
-            export.unchanged.append(
-                f"{person.name or person.ids[0]} is {theirs} in {column}, and stays so: the grader has {ours}"
-            )
+            export.unchanged.append(f"{person.called} is {theirs} in {column}, and stays so: the grader has {ours}")
         return theirs
     if not ours or not theirs or overwrite or _number(theirs) == _number(ours):
         return ours or theirs
     export.troubles.append(
-        f"{person.name or person.ids[0]} keeps {theirs} in {column}; the grader has {ours}, which --overwrite takes"
+        f"{person.called} keeps {theirs} in {column}; the grader has {ours}, which --overwrite takes"
     )
     return theirs
 
