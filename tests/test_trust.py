@@ -13,6 +13,7 @@ from tam570_grader.checks.failure import Failure
 from tam570_grader.diagnosis.mistakes import mistakes
 from tam570_grader.diagnosis.mutants import mutants_of
 from tam570_grader.reports.sentences import describe_failure
+from tam570_grader.sandbox.imports import KNOWN_TEXTS
 
 COURSE = assignments.find()
 TEXT = (COURSE / "autograder" / "TRUST.md").read_text()
@@ -43,7 +44,8 @@ def sentences_told(slug):
     """Return an upper bound on the number of sentences that can name a mistake."""
     folder, solution = assignments.checks_folder(COURSE, slug), (COURSE / "solutions" / f"{slug}.py").read_text()
     texts = "".join(path.read_text() for path in folder.glob("*.py"))
-    causes = len(mistakes(folder)) + len([*mutants_of(solution)]) + len(vars(builtins))
+    exceptions = len(vars(builtins)) + sum(map(len, KNOWN_TEXTS.values()))
+    causes = len(mistakes(folder)) + len([*mutants_of(solution)]) + exceptions
     return causes + len(re.findall(r"label|hint|fail", texts))
 
 

@@ -16,7 +16,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.expect import Failed, NotWritten, get_context
 from tam570_grader.checks.plots import readable
 from tam570_grader.checks.returns import Drawing, Formula, FreeBodyDiagram, result, results_alike
-from tam570_grader.sandbox.imports import misused, python_class, sentence_of_ban
+from tam570_grader.sandbox.imports import misused, named_exception, sentence_of_ban
 from tam570_grader.sandbox.replies import error_of, strings
 
 if TYPE_CHECKING:
@@ -221,7 +221,7 @@ class SandboxFunction:
             return f"uses what is off limits in it: {misused(error, banned)}"
         if error["kinds"][:1] == ["TypeError"] and error["line"] == 0 and MISCALLED.fullmatch(error["text"]):
             return f"must take ({self.student.assignment.signature(self.name)})"
-        return sentence_of_ban(error["text"]) or f"raised {python_class(error)}{expected}"
+        return sentence_of_ban(error["text"]) or f"raised {named_exception(error)}{expected}"
 
 
 def _block(text: str, line: int) -> str:

@@ -2,7 +2,8 @@
 
 Code that runs at import may contain hidden inputs that an earlier submission saw, and can raise any text. So a text is
 shown only if it is a known message of Python about words in the file, and a line number only if the file has the line.
-The interpreter's messages on the text itself are made before any of it runs, and are shown unchanged.
+The interpreter's messages on the text itself are made before any of it runs, and are shown unchanged. For an exception
+in a later call, only its class is shown, and which one of KNOWN_TEXTS its text begins with.
 """
 
 import builtins
@@ -41,6 +42,71 @@ MESSAGES = [
         "attempted relative import with no known parent package",
     )
 ]
+# beginnings of messages of Python, NumPy, SciPy and SymPy, by class; what follows them may contain numbers
+KNOWN_TEXTS = {
+    "ValueError": (
+        "Values in `t_eval` are not within `t_span`",
+        "Values in `t_eval` are not properly sorted",
+        "`t_eval` must be 1-dimensional",
+        "`y0` must be 1-dimensional",
+        "All components of the initial state `y0` must be finite",
+        "f(a) and f(b) must have different signs",
+        "Singular matrix",
+        "Last 2 dimensions of the array must be square",
+        "Array must not contain infs or NaNs",
+        "math domain error",
+        "cannot convert float NaN to integer",
+        "operands could not be broadcast together",
+        "could not broadcast input array",
+        "matmul: Input operand 1 has a mismatch in its core dimension",
+        "matmul: Input operand 1 does not have enough dimensions",
+        "incompatible dimensions for cross product",
+        "setting an array element with a sequence",
+        "can only convert an array of size 1 to a Python scalar",
+        "The truth value of an array with more than one element is ambiguous",
+        "all the input array dimensions except for the concatenation axis must match exactly",
+        "all the input arrays must have same number of dimensions",
+        "all input arrays must have the same shape",
+        "cannot reshape array",
+        "assignment destination is read-only",
+        "not enough values to unpack",
+        "too many values to unpack",
+    ),
+    "TypeError": (
+        "only 0-dimensional arrays can be converted to Python scalars",
+        "only length-1 arrays can be converted to Python scalars",
+        "can only concatenate list",
+        "can only concatenate tuple",
+        "can't multiply sequence by non-int of type 'float'",
+        "unsupported operand type(s)",
+        "'NoneType' object is not subscriptable",
+        "'NoneType' object is not iterable",
+        "'float' object is not subscriptable",
+        "'float' object is not iterable",
+        "'float' object is not callable",
+        "'float' object cannot be interpreted as an integer",
+        "'tuple' object does not support item assignment",
+        "must be real number, not complex",
+        "cannot determine truth value of Relational",
+        "Cannot convert expression to float",
+        "loop of ufunc does not support argument 0 of type Symbol",
+    ),
+    "IndexError": (
+        "list index out of range",
+        "tuple index out of range",
+        "too many indices for array",
+        "only integers, slices (`:`), ellipsis (`...`), numpy.newaxis (`None`) and integer or boolean arrays",
+    ),
+    "ZeroDivisionError": (
+        "division by zero",
+        "float division by zero",
+        "integer division or modulo by zero",
+        "0.0 cannot be raised to a negative power",
+    ),
+    "OverflowError": ("math range error", "cannot convert float infinity to integer"),
+    "RuntimeError": ("Failed to converge",),
+    "RecursionError": ("maximum recursion depth exceeded",),
+}
 # system messages on threads, processes, their semaphores (on a file, the message would end in its name), and input
 MISDEEDS = {
     r"can't start new thread|\[Errno 11\] Resource temporarily unavailable.*|\[Errno 30\] Read-only file system": (
@@ -97,6 +163,13 @@ def sentence_of_ban(said: str, line: int = 0) -> str:
 def python_class(error: Json) -> str:
     """Return an exception's first built-in class: the name of a student's class could reveal a hidden input."""
     return next((class_name for class_name in error["kinds"] if _is_python(class_name)), "an exception")
+
+
+def named_exception(error: Json) -> str:
+    """Return an exception's first built-in class, with the beginning of its text if that is a known one."""
+    name, said = python_class(error), error["text"]
+    text = next((text for text in KNOWN_TEXTS.get(name, ()) if said.startswith(text)), "")
+    return f"{name} ({text})" if text else name
 
 
 def skipped_cells(reports: Sequence[str], text: bytes) -> list[str]:

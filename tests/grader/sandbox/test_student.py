@@ -157,6 +157,27 @@ def test_a_call_that_fails_says_which_it_was_and_of_what_kind_where_another_work
     assert failed.value.failure.function == "skew"
 
 
+TEXTS = {
+    "np.ones(2) + np.ones(3)": "ValueError (operands could not be broadcast together)",
+    "math.sqrt(-1)": "ValueError (math domain error)",
+    "np.linalg.solve(np.zeros((2, 2)), np.ones(2))": "ValueError (Singular matrix)",
+    "float(np.ones(2))": "TypeError (only 0-dimensional arrays can be converted to Python scalars)",
+    "scipy.integrate.solve_ivp(np.dot, (0, 1), [1.0], t_eval=[2.0])": "ValueError (Values in `t_eval` are not within "
+    "`t_span`)",
+    "scipy.optimize.brentq(abs, 1, 2)": "ValueError (f(a) and f(b) must have different signs)",
+    "raise ValueError(v[0])": "ValueError",
+    "raise KeyError('Singular matrix')": "KeyError",
+}
+
+
+@pytest.mark.parametrize("body", TEXTS)
+def test_of_an_exceptions_text_only_what_the_grader_knows_is_shown(body, student_of):
+    text = f"import math, numpy as np, scipy.integrate, scipy.optimize\ndef skew(v):\n    {body}\n"
+    with pytest.raises(Failed) as failed:
+        student_of(SLUG, text).skew(np.ones(3))
+    assert failed.value.failure.message == f"skew raised {TEXTS[body]}"
+
+
 def test_what_is_called_for_the_words_ends_no_function_and_is_not_judged(student_of):
     """A function that exits in a call that a hint makes can still be called, and that call is not recorded."""
     text = "import os\ndef skew(v):\n    return np.zeros((3, 3)) if v[0] else os._exit(1)\nimport numpy as np\n"
