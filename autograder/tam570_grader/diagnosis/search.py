@@ -19,6 +19,7 @@ import numpy as np
 from tam570.checking.transforms import (
     AXES,
     SPACE,
+    WITHOUT_SIGN,
     WrongArgument,
     other_arguments,
     other_factors,
@@ -131,7 +132,7 @@ def _general(search: Search) -> Cause | None:
     if _are_alike(search.its_calls):
         return Cause(name, f"Your result of {name} is the same for all inputs", "result")
     if len(set().union(*(call.numbers() for call in search.wrong))) < FEWEST:
-        return None
+        return _without_sign(search)
     cause = _other_result(search) or _other_symbol(search) or _other_argument(search)
     if cause is None or cause.message.endswith(VAGUE):
         mutant = _mutant_of_any(search)
@@ -159,6 +160,16 @@ def _other_result(search: Search) -> Cause | None:
     vary = len(parameters) >= FEWEST or not first.case.kwargs
     results = other_results(search.name, search.reference, first, vary=vary)
     return _transformed(search, next(_explaining(results, search.its_calls), None), source="result")
+
+
+def _without_sign(search: Search) -> Cause | None:
+    """Return the cause if a single wrong result is the absolute value of the right one, as are several right ones."""
+    right = [call.numbers() for call in search.its_calls if call.fits(call.expected)]
+    if len(set().union(*right)) < FEWEST:
+        return None
+    results = other_results(search.name, search.reference, search.wrong[0], vary=False)
+    signs = [(words, change) for words, change in results if words.endswith(WITHOUT_SIGN)]
+    return _transformed(search, next(_explaining(signs, search.its_calls), None), source="result")
 
 
 def _other_argument(search: Search) -> Cause | None:

@@ -66,11 +66,12 @@ def _into_turn(turn: float, angle: Numbers) -> Numbers:
     return angle - turn * np.round(np.asarray(angle) / turn)
 
 
+WITHOUT_SIGN = "lacks its sign: it is the absolute value of the right one"
 POWERS: dict[str, Change] = {
     "is the square of the right one": np.square,
     "is the square root of the right one": np.sqrt,
     "is one over the right one": np.reciprocal,
-    "has lost its sign": np.abs,
+    WITHOUT_SIGN: np.abs,
     "is zero where the right one is negative": partial(np.maximum, 0.0),
     "is the square root of the right one, and zero where that is negative": lambda value: np.sqrt(np.maximum(value, 0)),
     "is the arctan of a ratio, which has lost a half turn; use arctan2": partial(_into_turn, math.pi),
@@ -83,6 +84,12 @@ THIN: dict[str, Change] = {
 }
 LENGTHS = ("radius", "length", "offset")  # possible distances between reference points of a moment of inertia
 ANGLES = ("angle", "lean", "phi", "slope", "theta", "tilt")
+TURNS: dict[str, Change] = {
+    "is taken modulo pi": lambda angle: np.mod(angle, math.pi),
+    "is taken modulo pi, from -pi/2 to pi/2": partial(_into_turn, math.pi),
+    "is taken modulo 2 pi": lambda angle: np.mod(angle, 2 * math.pi),
+    "is wrapped to less than half a turn either way": partial(_into_turn, 2 * math.pi),
+}
 INERTIA = re.compile("inertia$")
 
 
@@ -228,7 +235,7 @@ def other_forms(name: str, reference: Function, example: Compared) -> Iterator[T
     names = _parameters(reference)
     values = _named(reference, example.case)
     for key, value in values.items():
-        for words, change in _rarer_values(value):
+        for words, change in _rarer_values(key, value):
             yield f"In {name}, {words.format(key)}", WrongArgument(reference, key, change)
     yield from _other_axes(name, reference, values)
     yield from _other_factors(name, reference, example)
@@ -248,14 +255,16 @@ def other_forms(name: str, reference: Function, example: Compared) -> Iterator[T
             yield words, partial(_linearised, reference, keys, which)
 
 
-def _rarer_values(value: Numbers) -> Iterator[tuple[str, Change]]:
-    """Yield rarer changes of an argument: a number loses its sign, a list of steps its first, last or order."""
+def _rarer_values(key: str, value: Numbers) -> Iterator[tuple[str, Change]]:
+    """Yield rarer changes of an argument: a number without its sign or turns, steps without an end or their order."""
     if isinstance(value, list) and len(value) > 1 and isinstance(value[0], tuple):
         yield "the first of the {} is left out", lambda value: value[1:]
         yield "the last of the {} is left out", lambda value: value[:-1]
         yield "the order of the {} is reversed", lambda value: value[::-1]
     elif np.asarray(value).dtype.kind in "fi":
         yield "{} has lost its sign", np.abs
+        for words, change in TURNS.items() if key in ANGLES else ():
+            yield f"{{}} {words}", change
 
 
 def _other_axes(name: str, reference: Function, values: Parameters) -> Iterator[Transform]:

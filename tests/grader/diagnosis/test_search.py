@@ -151,6 +151,7 @@ def calls(function, wrong):
         ("forces", "F[::-1]", "has rows 1 and 2 exchanged"),
         ("forces", "F*[1, -1]", "has the opposite sign in column 2"),
         ("polar", "(r, math.atan(math.tan(a)))", "is the arctan of a ratio"),
+        ("polar", "(r, abs(a))", "Your second result of polar lacks its sign"),
         ("polar", "(r, math.sqrt(max(a, 0.0)))", "is the square root of the right one, and zero"),
         ("rolls", "w/(2 + m*r**2)**2 + m*r**2*w**2 + m*w + r", "a divisor with mass, radius is squared"),
         ("polar", "(-r, -a)", "Your results of polar have the opposite sign"),
@@ -212,6 +213,27 @@ def test_it_is_named_by_what_it_does(function, wrong, words):
 )
 def test_what_is_no_one_thing_is_not_named(of):
     assert general(SOLUTION, of()) is None
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda angle: angle % math.pi, "In turned, angle is taken modulo pi"),
+        (lambda angle: angle - math.pi * round(angle / math.pi), "modulo pi, from -pi/2 to pi/2"),
+        (abs, "In turned, angle has lost its sign"),
+    ],
+)
+def test_an_angle_that_loses_its_turns_or_its_sign_is_named(change, words):
+    v = np.array([1.0, 2.0])
+    wrong = [Call("turned", Case(v, angle=a), tuple(rotated(v, change(a)))) for a in (-2.0, 0.4, 2.5, 4.0, -1.0)]
+    assert words in general(SOLUTION, wrong).message
+
+
+@pytest.mark.parametrize(("right", "is_named"), [((2.0, 3.0, 5.0), True), ((2.0,), False)])
+def test_a_single_result_without_its_sign_is_named_beside_right_ones(right, is_named):
+    wrong = [Call("inside", Case(a, 1.0), abs(a) * (a**2 + 1.0) / 2) for a in (*right, -4.0)]
+    cause = general(SOLUTION, wrong)
+    assert (cause is not None and cause.message.startswith("Your result of inside lacks its sign")) == is_named
 
 
 def test_a_result_that_cancels_beside_larger_ones_is_explained_too():
