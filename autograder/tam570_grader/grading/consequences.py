@@ -190,7 +190,7 @@ def _cause(run: Run, check: Check, failed: Failed) -> Cause | None:
 
 def _told_once(run: Run, check: Check, failed: Failed, cause: Cause | None) -> Cause | None:
     """Return the cause, without words if a student reads them at an earlier failure, or if a helper has the mistake."""
-    if not (cause and cause.follows_from) and (source := _shared_helper(run, cause, failed)):
+    if not (cause and cause.follows_from) and (source := _shared_helper(run, check, cause, failed)):
         cause = replace(source, answers=cause.answers, calls=cause.calls) if cause else source
     if cause and cause.message:
         for before in run.unnamed:
@@ -211,9 +211,18 @@ def _own_source(run: Run, check: Check, failed: Failed) -> Cause | None:
     if not (name := run.only_function(calls)):
         return None
     failures = (check.function for check in assignment.checks if _has_failed(run.results.get(check.name)))
-    allowed = (other for other in dict.fromkeys(failures) if other not in assignment.forbidden.get(name, ()))
+    ruled_out = {*assignment.forbidden.get(name, ()), *_explained_by(run, name)}
+    allowed = (other for other in dict.fromkeys(failures) if other not in ruled_out)
     source = next((other for other in allowed if _is_consequence(run, other, calls)), "")
     return Cause(name, "", "own", follows_from=source) if source else None
+
+
+def _explained_by(run: Run, name: str) -> set[str]:
+    """Return the functions whose failures follow, directly or not, from a mistake in this one."""
+    explained = {name}
+    while more := {cause.function for cause in run.causes.values() if cause.follows_from in explained} - explained:
+        explained |= more
+    return explained - {name}
 
 
 def _memory(run: Run, failed: Failed) -> Cause | None:
@@ -276,8 +285,10 @@ def _is_consequence(run: Run, wrong: str, calls: Sequence[Call]) -> bool:
     return False
 
 
-def _shared_helper(run: Run, cause: Cause | None, failed: Failed) -> Cause | None:
+def _shared_helper(run: Run, check: Check, cause: Cause | None, failed: Failed) -> Cause | None:
     """Return a cause that names an earlier wrong function with the same mistake, else None.
+
+    If that one has no cause yet and calls this one, the mistake is here: report it as the cause there.
 
     One of the two must call the other, or both the same helper. In addition, both got the same diagnosis, or both fail
     with the same message at inputs with the same label, or they return the same wrong number where the right numbers
@@ -290,13 +301,13 @@ def _shared_helper(run: Run, cause: Cause | None, failed: Failed) -> Cause | Non
         return None
     case = at if isinstance(at := _input_with_numbers(run, failed.failure), Case) else calls[0].case
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
-    failures: dict[str, Failure] = {}  # first failure of each function
+    explained, failures = _explained_by(run, name), dict[str, Failure]()  # first failure of each function
     for before in run.results.values():
         if _has_failed(before) and before.failure:
             failures.setdefault(before.failure.function, before.failure)
     for other, failure in failures.items():
         other_case = _input_with_numbers(run, failure)
-        if failure.follows_from or other in ("", name) or not isinstance(other_case, Case):
+        if failure.follows_from or other in ("", name, *explained) or not isinstance(other_case, Case):
             continue
         function, other_function = getattr(student, name), getattr(student, other)
         own_case, its_case = _shortened(function, case), _shortened(other_function, other_case)
@@ -307,10 +318,13 @@ def _shared_helper(run: Run, cause: Cause | None, failed: Failed) -> Cause | Non
                     for helper in helpers
                     if function.uses(helper, own_case) and other_function.uses(helper, its_case)
                 ]
-                calls_other = function.uses(other, own_case) or other_function.uses(name, its_case)
-                if (calls_other or of_both) and (
+                calls_other, is_called = function.uses(other, own_case), other_function.uses(name, its_case)
+                callers = [unnamed for unnamed in run.unnamed if unnamed.check.function == other]
+                callers = callers if is_called and not calls_other else []
+                if (calls_other or is_called or of_both) and (
                     (cause and cause.repeats == other)
                     or _same_words(failure, failed.failure)
+                    or _all_change_arrays(run, [failure, failed.failure], [check, *(one.check for one in callers)])
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
                     or _same_mutant(run, Call(other, other_case, None), calls)
                     or any(
@@ -319,7 +333,9 @@ def _shared_helper(run: Run, cause: Cause | None, failed: Failed) -> Cause | Non
                     )
                     or _same_number(run, other, calls)
                 ):
-                    return Cause(name, "", "own", follows_from=other)
+                    for unnamed in callers:
+                        _tell(run, unnamed, Cause(other, "", "own", follows_from=name))
+                    return None if callers else Cause(name, "", "own", follows_from=other)
         except (Failed, NotWritten, Exhausted, *UNFIT):
             continue
     return None
@@ -341,6 +357,13 @@ def _same_words(before: Failure, failure: Failure) -> bool:
     """Return whether two functions fail with the same message at inputs with the same label (neither raises, say)."""
     is_same = before.message.replace(before.function, failure.function) == failure.message != ""
     return is_same and before.label == failure.label != ""
+
+
+def _all_change_arrays(run: Run, failures: Iterable[Failure], checks: Iterable[Check]) -> bool:
+    """Return whether functions fail only because they change the arrays that they are given."""
+    return all(failure.hint == WORK_ON_COPIES for failure in failures) and all(
+        _passes_on_copies(run, check) for check in checks
+    )
 
 
 def _same_number(run: Run, other: str, calls: Sequence[Call]) -> bool:
@@ -473,7 +496,9 @@ def _consequence(run: Run, check: Check, unclear: Container[str]) -> CheckResult
         function = failed.failure.function  # if it hung before, it is not called again
         hung = (cause for cause in run.causes.values() if cause.function == function in run.student.broken)
         cause = _following(run, check, _earlier(run.causes.values())) or next(hung, None)
-        cause = cause or _own_source(run, check, failed) or _shared_helper(run, None, failed) or _memory(run, failed)
+        cause = (
+            cause or _own_source(run, check, failed) or _shared_helper(run, check, None, failed) or _memory(run, failed)
+        )
         run.failing.extend(run.student.calls)
         if (cause := _earned(run, cause)) is None:
             return None

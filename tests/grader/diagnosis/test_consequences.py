@@ -429,5 +429,37 @@ def rotation_matrix(axis, angle):
 """
 
 
+BY_COLUMNS = """
+
+def rotation_matrix(axis, angle):
+    return np.column_stack([rotate(e, axis, angle) for e in np.eye(3)])
+
+
+def rotate(r, axis, angle):
+    n, r = _unit(axis), np.asarray(r)
+    {}
+    return r + np.sin(angle) * np.cross(n, r) + _versine(angle) * np.cross(n, np.cross(n, r))
+"""
+CHANGES = """
+
+_rotate = rotate
+def rotate(r, axis, angle):
+    image = _rotate(r, axis, angle)
+    axis *= 2
+    return image
+"""
+
+
+@pytest.mark.parametrize("slip", [BY_COLUMNS.format("angle = angle % 2.5"), BY_COLUMNS.format("") + CHANGES])
+def test_a_mistake_without_a_name_is_that_of_the_function_that_the_other_calls(checked, slip):
+    """The matrix is checked first; no two functions follow from each other."""
+    actual = checked("hw08_axis_angle", more=slip)
+    assert not by_name(actual) and actual["vector_turns_by_the_right_hand_rule"].points == 0
+    assert following(actual) - {("rotate", "rotate")} <= {
+        ("rotation_matrix", name) for name in ("rotate", "rotation_matrix")
+    }
+    assert ("rotation_matrix", "rotate") in following(actual)
+
+
 def test_what_follows_from_one_wrong_function_follows_from_no_other(checked):
     assert ("rotation_matrix", "skew") not in following(checked("hw08_axis_angle", more=NO_MATRIX))
