@@ -139,58 +139,7 @@ def pictures(curve: Curve | None) -> list[Picture]:
 
 def picture(curve: Curve) -> Picture:
     """Return the drawing of a curve: a drift on a linear scale, an error on a logarithmic one."""
-    return _drift(curve) if curve["scale"] == "linear" else _error(curve)
-
-
-def _error(curve: Curve) -> Picture:
-    """Return the drawing of the size of an error on a logarithmic scale; the band below the limit is allowed."""
-    values, limit = curve["values"], math.log10(curve["tolerance"])
-    finite = [value for value in values if value is not None]
-    low, high = math.floor(min(*finite, 0) + limit - 0.2), math.ceil(max(*finite, 0) + limit + 0.2)
-    places = _places([None if v is None else v + limit for v in values], low, high)
-    decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
-    line = _up(limit, low, high)
-    # the text has both ends, as a wrong start is another mistake than an error that grows
-    first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
-    return _picture(
-        curve,
-        f"The error of {curve['quantity']} along your motion",
-        f"It begins at about {first:.0e} and ends at about {last:.0e}. {_crossing(curve)}",
-        places,
-        (line, BOTTOM - line),
-        [(_up(decade, low, high), f"1e{decade}") for decade in decades],
-    )
-
-
-def _drift(curve: Curve) -> Picture:
-    """Return the drawing of the signed deviation of an invariant from its right value, on a linear scale."""
-    values, limit = curve["values"], curve["tolerance"]
-    finite = [value for value in values if value is not None]
-    low, high = min(*finite, -limit), max(*finite, limit)
-    low, high = low - (high - low) / 20, high + (high - low) / 20
-    places = _places(values, low, high)
-    top, bottom = _up(limit, low, high), _up(-limit, low, high)
-    last = finite[-1]
-    ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
-    alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(finite, key=abs))}."
-    return _picture(
-        curve,
-        f"What becomes of {curve['quantity']} along your motion",
-        alt_text,
-        places,
-        (top, max(bottom - top, 0.0)),
-        [(_up(value, low, high), text) for value, text in _ticks(low, high)],
-    )
-
-
-def _picture(
-    curve: Curve,
-    caption: str,
-    alt_text: str,
-    places: Sequence[tuple[float, float]],
-    band: tuple[float, float],
-    ticks: Sequence[tuple[float, str]],
-) -> Picture:
+    caption, alt_text, places, band, ticks = _drift(curve) if curve["scale"] == "linear" else _error(curve)
     unit = f", {curve['unit']}" if curve["unit"] else ""
     allowed = f"allowed up to {quantity(curve['tolerance'])}"
     return Picture(
@@ -203,6 +152,42 @@ def _picture(
         x=[(LEFT + (RIGHT - LEFT) * quarter / 4, text) for quarter, text in enumerate(QUARTERS)],
         y=[(round(position, 1), text) for position, text in ticks],
     )
+
+
+# caption and text alternative without the limit, positions of the samples, allowed band, ticks of y
+Drawn = tuple[str, str, list[tuple[float, float]], tuple[float, float], list[tuple[float, str]]]
+
+
+def _error(curve: Curve) -> Drawn:
+    """Return what is drawn of the size of an error on a logarithmic scale; the band below the limit is allowed."""
+    values, limit = curve["values"], math.log10(curve["tolerance"])
+    finite = [value for value in values if value is not None]
+    low, high = math.floor(min(*finite, 0) + limit - 0.2), math.ceil(max(*finite, 0) + limit + 0.2)
+    places = _places([None if v is None else v + limit for v in values], low, high)
+    decades = range(low, high + 1, max(1, math.ceil((high - low) / 5)))
+    line = _up(limit, low, high)
+    # the text has both ends, as a wrong start is another mistake than an error that grows
+    first, last = (curve["tolerance"] * 10**value for value in (finite[0], finite[-1]))
+    caption = f"The error of {curve['quantity']} along your motion"
+    alt_text = f"It begins at about {first:.0e} and ends at about {last:.0e}. {_crossing(curve)}"
+    ticks = [(_up(decade, low, high), f"1e{decade}") for decade in decades]
+    return caption, alt_text, places, (line, BOTTOM - line), ticks
+
+
+def _drift(curve: Curve) -> Drawn:
+    """Return what is drawn of the signed deviation of an invariant from its right value, on a linear scale."""
+    values, limit = curve["values"], curve["tolerance"]
+    finite = [value for value in values if value is not None]
+    low, high = min(*finite, -limit), max(*finite, limit)
+    low, high = low - (high - low) / 20, high + (high - low) / 20
+    places = _places(values, low, high)
+    top, bottom = _up(limit, low, high), _up(-limit, low, high)
+    last = finite[-1]
+    ends = f"It ends {'above' if last > 0 else 'below' if last < 0 else 'at'} what it should be"
+    alt_text = f"{ends}, off by {quantity(abs(last))}; the largest drift is {quantity(max(finite, key=abs))}."
+    caption = f"What becomes of {curve['quantity']} along your motion"
+    ticks = [(_up(value, low, high), text) for value, text in _ticks(low, high)]
+    return caption, alt_text, places, (top, max(bottom - top, 0.0)), ticks
 
 
 def _ticks(low: float, high: float) -> list[tuple[float, str]]:
