@@ -15,6 +15,7 @@ from tam570.lectures import (
     many,
     oscillator,
     planet,
+    quadratic_drag,
     rigid_kinematics,
     rocket,
     two_masses,
@@ -32,6 +33,14 @@ def test_the_tensor_of_an_orbit_knows_its_plane_and_energy():
     tensor = np.array([[xx, xy, zx], [xy, yy, yz], [zx, yz, zz]])
     assert tensor @ oscillator.angular_momentum(start, **parameters) == pytest.approx(np.zeros(3), abs=1e-12)
     assert (xx + yy + zz) / 2 == pytest.approx(oscillator.energy(start, **parameters), rel=1e-14)
+
+
+def test_drag_is_against_the_velocity_and_grows_as_its_square():
+    """The hodograph, which is conserved, is the same for twice the weight and twice the drag."""
+    _, _, vx, vy = state = DRAW.normal(size=4).tolist()
+    drag = -0.3 * math.hypot(vx, vy) * np.array([vx, vy])
+    rates = quadratic_drag.rates(0.0, state, mass=0.7, drag=0.3, gravity=9.81)
+    assert rates == pytest.approx((vx, vy, *(drag / 0.7 - [0, 9.81])), rel=1e-12)
 
 
 def at_pericentre(eccentricity, gm):
