@@ -15,17 +15,17 @@ from tam570.show.plots import value_plot
 from tam570.show.scene import Panel, Scene, Shape, frame_times, with_slider
 
 PLANE, SPACE = "hw07_double_pendulum", "hw14_rolling_disk"
-SIZES = {"desktop": (1280, 720), "phone": (390, 844)}
+DESKTOP, PHONE = (1280, 720), (390, 844)
 PIXELS = "id => document.getElementById(id).toDataURL()"
 TIME = "() => Number(document.getElementById('scrub').value)"
 
 
 @pytest.fixture
 def opened(open_page, scenes):
-    """`opened(slug or document)` -> the page, paused unless motion is wanted."""
+    """`opened(name or document, size)` -> the tab with the page of a scene, paused unless motion is wanted."""
 
-    def opened(what, size="desktop", **options):
-        return open_page(what if what.startswith("<") else page(scenes(what)), SIZES[size], **options)
+    def opened(what, size=DESKTOP, **options):
+        return open_page(what if what.startswith("<") else page(scenes(what)), size, **options)
 
     return opened
 
@@ -56,7 +56,7 @@ def ink(tab, canvas):
 def test_every_scene_is_drawn_and_has_names(opened, slug, scenes):
     tab, scene = opened(slug), scenes(slug)
     tab.keyboard.press("End")
-    for width, height in SIZES.values():
+    for width, height in (DESKTOP, PHONE):
         tab.set_viewport_size({"width": width, "height": height})
         until(tab, f"stage.live.width < {width} && stage.live.width > {width} / 2")
         assert ink(tab, "live") > 300
@@ -116,7 +116,7 @@ def test_a_scene_in_space_is_turned_by_mouse_and_keys_and_back(opened):
 
 
 def test_a_scene_in_space_is_turned_by_touch(opened):
-    tab = opened(SPACE, "phone", has_touch=True)
+    tab = opened(SPACE, PHONE, has_touch=True)
     before = tab.evaluate("camera.azimuth")
     session = tab.context.new_cdp_session(tab)
     for event_type, points in (("touchStart", [(150, 300)]), ("touchMove", [(220, 300)]), ("touchEnd", [])):
@@ -163,9 +163,9 @@ def grown(size):
 
 
 @pytest.fixture
-def film(open_page):
+def film(opened):
     """Return the tab of the film of 2 m, with a slider to 1 m and 4 m."""
-    return open_page(page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0)), (390, 844))
+    return opened(page(with_slider(grown, "size", "m", [4.0, 1.0, 2.0], 2.0)), PHONE)
 
 
 def test_all_films_of_a_slider_share_one_scale():
@@ -197,25 +197,17 @@ def test_keys_change_the_value_the_length_and_what_is_shown(film):
 HOMEWORK = [slug for slug in assignments() if slug[:4] in {f"hw{n:02}" for n in (1, 4, 5, 6, 7, 10, 12, 13, 14)}]
 LECTURES = [name for name in names() if hasattr(load(name), "START") and name != "rocket"]  # it branches on its mass
 SECONDS = 1.0
-SCREENS = [[1280, 720], [390, 844]]
-
-
-@pytest.fixture
-def tab(open_page):
-    """`tab(scene, size)` -> the tab with the page of the scene."""
-    return lambda scene, size=SCREENS[0]: open_page(page(scene), size)
 
 
 @pytest.mark.parametrize("name", first(3, [*HOMEWORK, *LECTURES]))
-def test_the_page_moves_as_solve_does(tab, scenes, name):
-    scene = scenes(name)
-    opened, live = tab(scene), scene.live
+def test_the_page_moves_as_solve_does(opened, scenes, name):
+    tab, live = opened(name), scenes(name).live
     piece = SECONDS / 60  # s per call, as in the page, because a call takes a limited number of steps
     ends = f"i * {piece}, (i + 1) * {piece}"
-    result = opened.evaluate(f"[...Array(60).keys()].reduce((s, i) => integrate(s, live.p, {ends}), grasped.start)")
+    result = tab.evaluate(f"[...Array(60).keys()].reduce((s, i) => integrate(s, live.p, {ends}), grasped.start)")
     expected = solve(live.rates, [0.0, SECONDS], live.start, parameters=live.parameters, rtol=1e-12)[-1]
     assert np.abs(np.array(result) - expected).max() < 1e-6 * (1 + np.abs(expected).max())
-    places = opened.evaluate(
+    places = tab.evaluate(
         "grasped.handles.map(({at, dim}) => program.drawn(0, grasped.start, live.p).slice(at, at + dim))"
     )
     for position, handle in zip(places, live.handles, strict=True):
@@ -234,53 +226,48 @@ def test_what_a_hand_holds_is_where_the_hand_is(scenes, name):
         assert np.ravel(handle.point(grabbed, **live.parameters)) == pytest.approx(position, abs=1e-9)
 
 
-def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(tab, scenes):
+def test_after_a_jump_in_time_a_hand_takes_hold_of_what_the_film_shows(opened, scenes):
     """The page integrates to the film's time, though the motion needs more steps than one call of its integrator."""
-    scene = scenes("hw14_rolling_disk")
-    opened, live = tab(scene), scene.live
-    opened.evaluate("goTo(duration)")
-    times = [0.0, opened.evaluate("live.t")]
+    scene, tab = scenes(SPACE), opened(SPACE)
+    tab.evaluate("goTo(duration)")
+    live, times = scene.live, [0.0, tab.evaluate("live.t")]
     expected = solve(live.rates, times, live.start, parameters=live.parameters, rtol=1e-12)[-1]
-    assert times[1] == pytest.approx(scene.times[-1]) and opened.evaluate("live.s") == pytest.approx(expected, abs=1e-8)
+    assert times[1] == pytest.approx(scene.times[-1]) and tab.evaluate("live.s") == pytest.approx(expected, abs=1e-8)
 
 
-@pytest.mark.parametrize("size", first(1, SCREENS))
-def test_the_bob_goes_where_it_is_dragged_and_swings_on(tab, scenes, size):
-    opened = tab(scenes("hw01_simple_pendulum"), size)
-    before, hinge = opened.evaluate(
-        "() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint([0, 0])]; }"
-    )
-    box = opened.locator("#live").bounding_box()
+@pytest.mark.parametrize("size", [DESKTOP, pytest.param(PHONE, marks=pytest.mark.slow)], ids=["desktop", "phone"])
+def test_the_bob_goes_where_it_is_dragged_and_swings_on(opened, scenes, size):
+    tab = opened("hw01_simple_pendulum", size)
+    before, hinge = tab.evaluate("() => { followFilm(); return [handlePlace(grasped.handles[0]), livePoint([0, 0])]; }")
+    box = tab.locator("#live").bounding_box()
     x, y = before[0] + box["x"], before[1] + box["y"]
-    opened.mouse.move(x, y)
-    opened.mouse.down()
-    opened.mouse.move(x - 40, y + 30, steps=4)
-    playing, (theta, omega) = opened.evaluate("[live.on, live.s]")
-    opened.mouse.up()
+    tab.mouse.move(x, y)
+    tab.mouse.down()
+    tab.mouse.move(x - 40, y + 30, steps=4)
+    playing, (theta, omega) = tab.evaluate("[live.on, live.s]")
+    tab.mouse.up()
     assert playing and omega == 0.0
     wanted = np.array(before) + [-40, 30] - hinge
     assert np.arctan2(wanted[0], wanted[1]) == pytest.approx(theta, abs=0.02)
-    opened.evaluate("advanceLive(0.5)")
+    tab.evaluate("advanceLive(0.5)")
     parameters = {"length": 1.0, "gravity": 9.81}
-    now, state = opened.evaluate("[live.t, live.s]")
+    now, state = tab.evaluate("[live.t, live.s]")
     expected = solve(scenes("hw01_simple_pendulum").live.rates, [0.0, now], [theta, 0.0], parameters=parameters)[-1]
     assert state == pytest.approx(expected.tolist(), abs=1e-6)
-    opened.get_by_role("button", name="Back to the film").click()
-    assert not opened.evaluate("live.on")
+    tab.get_by_role("button", name="Back to the film").click()
+    assert not tab.evaluate("live.on")
 
 
-def test_a_slider_sets_its_parameter(tab, scenes):
-    opened = tab(scenes("hw07_double_pendulum"), SCREENS[1])
-    sliders = opened.locator("#sliders input")
+def test_a_slider_sets_its_parameter(opened):
+    tab = opened(PLANE, PHONE)
+    sliders = tab.locator("#sliders input")
     assert sliders.count() == 5
     sliders.nth(4).evaluate("(slider) => { slider.value = 5; slider.dispatchEvent(new Event('input')); }")
-    assert opened.evaluate("live.p[4]") == 5.0
+    assert tab.evaluate("live.p[4]") == 5.0
 
 
-def test_what_cannot_be_traced_stays_a_film(tab, tmp_path, solution_text):
-    text = solution_text("hw01_simple_pendulum")
+def test_what_cannot_be_traced_stays_a_film(opened, edited):
     asks = """
-
 _correct = angular_momentum_balance
 
 
@@ -288,11 +275,10 @@ def angular_momentum_balance(theta, omega, *, mass, length, gravity):
     mass = 1.0 * mass if {condition} else mass
     return _correct(theta, omega, mass=mass, length=length, gravity=gravity)
 """
-    file = tmp_path / "hw01_simple_pendulum.py"
     for condition, sliders in (("length > 0", 0), ("theta > 100", None)):
-        file.write_text(text + asks.format(condition=condition))
+        file = edited("hw01_simple_pendulum", asks.format(condition=condition))
         scene = scene_of(load_student(file, file.stem), file.stem)
         written = program(scene.live)
         assert (written is None) == (sliders is None)
         assert written is None or len(written[1]["parameters"]) == sliders
-    assert tab(scene).evaluate("grasped === null && program === null && !live.on")
+    assert opened(page(scene)).evaluate("grasped === null && program === null && !live.on")
