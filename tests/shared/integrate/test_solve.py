@@ -14,7 +14,7 @@ from tam570.integrate import dop853, solve, solve_rotation
 from tam570.integrate.dop853 import compiled
 from tam570.integrate.formulas import written
 from tam570.integrate.trace import traced
-from tam570.invariants import drift, observed_order, violation
+from tam570.invariants import drift, observed_order, rotation_defect, violation
 from tam570.lectures import rocket
 
 
@@ -82,6 +82,19 @@ def test_projection_keeps_a_constraint_and_leaves_the_motion_right():
     assert states[:, 0] == pytest.approx(np.sin(angle), abs=1e-7)  # 2000 steps of 1e-12 add up in the phase
     free = solve(particle, t, [1.0, 0.0, 0.0, 0.0])
     assert violation(lambda s: s[0] ** 2 + s[1] ** 2 - 1, free).max() > 1e-9  # without the projection
+
+
+def test_rotations_stay_rotations_and_angular_momentum_stays():
+    def euler(t, omega, *, inertia):
+        A, B, C = inertia
+        p, q, r = omega
+        return (B - C) / A * q * r, (C - A) / B * r * p, (A - B) / C * p * q
+
+    t, inertia = np.linspace(0, 200, 101), (1.0, 2.0, 3.0)
+    omegas, R = solve_rotation(euler, t, [0.1, 1.0, 0.2], np.eye(3), parameters={"inertia": inertia}, rtol=1e-12)
+    assert rotation_defect(R).max() < 1e-14
+    momentum = np.einsum("nij,nj->ni", R, inertia * omegas)
+    assert np.abs(momentum - momentum[0]).max() < 1e-9
 
 
 def test_a_rotation_passes_zero_over_zero():
