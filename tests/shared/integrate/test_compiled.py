@@ -325,11 +325,6 @@ def test_a_step_is_judged_at_its_end():
     assert end == pytest.approx(1 + math.pi / 8 / math.sin(math.pi / 8), rel=1e-2)  # 7 if it is not
 
 
-def test_what_does_not_move_takes_no_steps_and_stays():
-    states = solve(lambda t, y: (y[1], -math.sin(y[0])), [0, 1e6], [0.0, 0.0], method="compiled")
-    assert (states == 0).all()
-
-
 def test_motions_together_are_each_alone():
     rng = np.random.default_rng(570)
     starts, t = rng.uniform(-1, 1, (37, 4)), np.linspace(0, 3, 5)
