@@ -9,6 +9,7 @@ from pathlib import Path
 
 import psutil
 import pytest
+from processes import await_end, descendants
 
 from tam570_grader.checks import assignments
 from tam570_grader.grading import run_checks
@@ -70,7 +71,8 @@ def test_the_honest_part_keeps_its_points_and_the_next_student_notices_nothing(
     assert after.score == after.max_score, said(after)
     zygote = zygotes(SLUG, BRIEF)
     zygote.process(cpu=1.0).drop()  # this also ends the process that waits for the next submission
-    assert not processes(zygote.user), "left running"
+    # only descendants, because the zygote of another xdist worker may use the same user id
+    await_end([child for child in descendants(os.getpid()) if zygote.user in owners(child)])
     assert not planted(), "left lying about"
 
 
@@ -101,19 +103,6 @@ def test_no_hidden_input_comes_back(attacked):
     attack = next(path for path in FILES if path.stem == "tells_the_inputs")
     result = attacked(attack, honest=True)
     assert not any("LEAK" in check.message for check in result.checks), said(result)
-
-
-def processes(user):
-    """Return the user's processes below this one; wait for those that were just killed to end.
-
-    Only descendants count, because the zygote of another xdist worker may use the same user id.
-    """
-    for _ in range(600):
-        actual = [child for child in psutil.Process().children(recursive=True) if user in owners(child)]
-        if not actual or user is None:
-            return []
-        time.sleep(0.1)
-    return actual
 
 
 def owners(process):
