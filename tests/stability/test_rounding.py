@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 from tam570.integrate import solve
 from tam570_grader.checks import assignments
 
+EPS = 2.0**-52
 HW06, HW14 = (assignments.solution(slug) for slug in ("hw06_braking", "hw14_rolling_disk"))
 DISK = {"mass": 1.0, "radius": 0.5, "inertia": (0.0625, 0.125), "gravity": 9.81}
 CAR = {"mass": 1136.0, "yaw_inertia": 1300.0, "front": 1.9, "rear": 1.1, "friction": 0.7, "gravity": 9.81}
@@ -156,3 +157,25 @@ def test_an_unstable_start_grows_as_it_should_beside_what_is_large(size):
     result = solve(rates, [0, 5.0], [100.0, size, 3.0, 0.0], rtol=1e-10, method="python")[-1]
     reference = solve_ivp(rates, (0, 5), [0.0, size, 0.0, 0.0], method="DOP853", rtol=1e-12, atol=1e-14 * size).y[:, -1]
     assert result[[1, 3]] == pytest.approx(reference[[1, 3]], rel=1e-8)
+
+
+def soft_step(t, y):
+    """Return a rate that rises from nearly 0 to 1 at t = 2.3; its first values are a difference of halves."""
+    return (0.5 + 0.5 * (t - 2.3) / math.sqrt((t - 2.3) ** 2 + 1e-12),)
+
+
+MOSTLY_ROUNDING = {  # rates, y(5), and the largest of the numbers whose difference the rates are
+    "1 - cos": (lambda t, y: (1 - math.cos(1e-6 * t),), 1e-12 * 125 / 6, 1.0),
+    "exp - 1": (lambda t, y: (math.exp(1e-12 * t) - 1,), 12.5e-12, 1.0),
+    "log": (lambda t, y: (math.log(1 + 1e-13 * t),), 12.5e-13, 1.0),
+    "a soft step": (soft_step, 2.7, 0.5),
+}
+
+
+@pytest.mark.parametrize("name", MOSTLY_ROUNDING)
+def test_rates_that_are_mostly_rounding_at_first_cost_few_steps(name):
+    rates, end, largest = MOSTLY_ROUNDING[name]
+    motion = solve(rates, [0, 5.0], [0.0], dense=True, report=True)
+    assert motion.report.steps + motion.report.refusals < 250
+    for states in (motion.states, *(solve(rates, [0, 5.0], [0.0], method=how) for how in ("python", "compiled"))):
+        assert states[-1, 0] == pytest.approx(end, rel=1e-10, abs=20 * 5.0 * EPS * largest)

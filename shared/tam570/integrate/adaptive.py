@@ -378,16 +378,19 @@ def start_state(run: Run, a: Sequence[float] = ()) -> State:
         sizes = error_scale(rhs, t, h, y, g, c, later)
         if min(sizes) <= NO_SCALE and engine.formulas.timed:  # a force that sets in at once, and ends before t + h
             sizes = grown_scale(rhs, t, origin + span, y, sizes, [size <= NO_SCALE for size in sizes], c)
-        if min(sizes) <= NO_SCALE:  # a Hertz contact, which no small change reveals
-            zeros = (0.0,) * len(y)
+        start, zeros = tuple(run.rows[0].tolist()), (0.0,) * len(y)
+        is_lacking = min(sizes) <= NO_SCALE
+        by_rates = [engine.is_traced and size > abs(v) for size, v in zip(sizes, start, strict=True)]
+        noise = engine.functions["roundoff"](origin, h, start, f, zeros, c) if is_lacking or any(by_rates) else zeros
+        if is_lacking:  # a Hertz contact, which no small change reveals
             n = engine.functions["step"](t, h, y, zeros, g, sizes, zeros, run.rtol, c)[0]
-            noise = engine.functions["roundoff"](origin, h, tuple(run.rows[0].tolist()), f, zeros, c)
             moves = (abs(later - v) for later, v in zip(n, y, strict=True))
             sizes = tuple(
                 max(size, move) if least < move < math.inf else size
                 for size, least, move in zip(sizes, noise, moves, strict=True)
             )
-        fresh = (max(SHARE * control.rtol * size, NO_SCALE) for size in sizes)
+        floors = (bound if is_moved else NO_SCALE for bound, is_moved in zip(noise, by_rates, strict=True))
+        fresh = (max(SHARE * control.rtol * size, floor, NO_SCALE) for size, floor in zip(sizes, floors, strict=True))
         a = tuple(new if old <= NO_SCALE else old for new, old in zip(fresh, a or [0.0] * len(y), strict=True))
     h = control.first_step or h
     atol, nothing = tuple(control.atol) or tuple(a), (0.0,) * len(y)

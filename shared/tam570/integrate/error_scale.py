@@ -9,6 +9,9 @@ this scale (tested with changes by a small fraction of the scales and by an eigh
 step. So a scale is too small rather than too large: too small costs steps, too large costs digits. A component that is
 smaller than the round-off of what drives it counts as zero.
 
+Rates that are mostly round-off, as 1 - cos(1e-6 t) at first, tell no size: if the scale follows from them, atol_i is
+at least the computed bound of the round-off in the first step.
+
 A component that starts at zero may be moved by a pulse that begins later, at 1e-300, or that lies between such times.
 If round-off then allows no step, its scale grows to the size to which this pulse moves it.
 """
