@@ -85,7 +85,7 @@ REFUSALS = [
 ]
 
 
-@pytest.mark.parametrize(("functions", "arguments", "refused"), REFUSALS)
+@pytest.mark.parametrize(("functions", "arguments", "refused"), REFUSALS, ids=[functions for functions, *_ in REFUSALS])
 def test_what_cannot_be_is_refused_by_name(functions, arguments, refused):
     for module, name in (function.split(".") for function in functions.split()):
         lecture, function = load(module), getattr(load(module), name)
