@@ -42,16 +42,13 @@ def sample_times(t: ArrayLike) -> tuple[Array, float]:
     times = times if sign > 0 else 0.0 - times
     steps = times[1:] - times[:-1]
     if not (steps.min() > 0 and times[-1] - times[0] < math.inf):
-        raise ValueError(f"t: {_wrong_with(sign * times, steps, sign)}")
+        if not np.isfinite(times).all():
+            raise ValueError("t: a time is infinite or not a number")
+        where = int(np.argmin(steps > 0))
+        verb, relation = ("increase", "exceed") if sign > 0 else ("decrease", "come before")
+        later = f"t[{where + 1}] = {sign * times[where + 1]:g}"
+        raise ValueError(f"t: must {verb}, but {later} does not {relation} t[{where}]")
     return times, sign
-
-
-def _wrong_with(times: Array, steps: Array, sign: float) -> str:
-    if not np.isfinite(times).all():
-        return "a time is infinite or not a number"
-    where = int(np.argmin(steps > 0))
-    verb, relation = ("increase", "exceed") if sign > 0 else ("decrease", "come before")
-    return f"must {verb}, but t[{where + 1}] = {times[where + 1]:g} does not {relation} t[{where}]"
 
 
 def _array(name: str, value: ArrayLike, numbers: str) -> Array:

@@ -164,18 +164,12 @@ def _module(value: types.ModuleType, _: Captured) -> Hashable:
     return value
 
 
-def _builtin(value: types.BuiltinFunctionType, _: Captured) -> Hashable:
+def _library_function(value: Captured, _: Captured) -> Hashable:
     name: str = value.__name__
-    if getattr(math, name, None) is not value:
-        raise Changeable(f"{name} is not among the functions that are known")
-    return "math", name
-
-
-def _numpy_function(value: Captured, _: Captured) -> Hashable:
-    name: str = value.__name__
-    if name not in ARRAY_FUNCTIONS or getattr(np, name, None) is not value:
-        raise Changeable(f"{name} is not among the functions that are known")
-    return "numpy", name
+    for module, known in ((math, MATH), (np, ARRAY_FUNCTIONS)):
+        if name in known and getattr(module, name, None) is value:
+            return module.__name__, name
+    raise Changeable(f"{name} is not among the functions that are known")
 
 
 def _partial(value: Captured, reach: Reach) -> Hashable:
@@ -188,7 +182,7 @@ def _function(value: types.FunctionType, reach: Reach) -> Hashable:
         return "again", reach.numbers[id(value)]
     reach.numbers[id(value)], module = len(reach.numbers), value.__module__ or ""
     if module == "numpy" or module.startswith("numpy."):
-        return _numpy_function(value, reach)
+        return _library_function(value, reach)
     if module in TRUSTED:
         return id(value)
     names, changes, reason = _looked_up(value.__code__)
@@ -267,10 +261,8 @@ READERS: dict[type, Callable[[Captured, Reach], Hashable]] = {
     **dict.fromkeys((tuple, list), _sequence),
     dict: _mapping,
     np.ndarray: _array,
-    np.ufunc: _numpy_function,
-    type(np.dot): _numpy_function,
+    **dict.fromkeys((np.ufunc, type(np.dot), types.BuiltinFunctionType), _library_function),
     types.ModuleType: _module,
-    types.BuiltinFunctionType: _builtin,
     types.FunctionType: _function,
     functools.partial: _partial,
 }
