@@ -92,9 +92,7 @@ class _Making:
     # Arithmetic; either operand may be a constant
 
     def sum(self, a: int, b: int) -> int:
-        if a < 0 and b < 0:
-            return self.constant(self.constant_at(a) + self.constant_at(b))
-        if a < 0 or b < 0:
+        if a < 0 or b < 0:  # not both: a trace adds up constants
             return self.add("shift", max(a, b), min(a, b))
         return self.add("+", a, b)
 

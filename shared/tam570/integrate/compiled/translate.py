@@ -24,13 +24,13 @@ ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Operand, Operand], Ope
     ast.Mult: ("mul", operator.mul),
     ast.Div: ("div", operator.truediv),
 }
-ORDER: dict[type[ast.cmpop], tuple[str, str, Callable[[Operand, Operand], bool]]] = {
-    ast.Lt: ("olt", "slt", operator.lt),
-    ast.LtE: ("ole", "sle", operator.le),
-    ast.Gt: ("ogt", "sgt", operator.gt),
-    ast.GtE: ("oge", "sge", operator.ge),
-    ast.Eq: ("oeq", "eq", operator.eq),
-    ast.NotEq: ("une", "ne", operator.ne),
+ORDER: dict[type[ast.cmpop], tuple[str, str]] = {  # instructions for floats and integers
+    ast.Lt: ("olt", "slt"),
+    ast.LtE: ("ole", "sle"),
+    ast.Gt: ("ogt", "sgt"),
+    ast.GtE: ("oge", "sge"),
+    ast.Eq: ("oeq", "eq"),
+    ast.NotEq: ("une", "ne"),
 }
 KNOWN = {"inf": math.inf, "nan": math.nan, "True": True, "False": False, "None": None}
 
@@ -75,9 +75,6 @@ class Translator(Writer):
                 value = self.value(names, statement.value)
                 for target in statement.targets:
                     self.bind(names, target, value)
-            elif isinstance(statement, ast.AugAssign) and isinstance(statement.target, ast.Name):
-                value = self.value(names, statement.value)
-                names[statement.target.id] = self.arithmetic(statement.op, names[statement.target.id], value)
             else:
                 self.statement(names, statement)
         return ()
@@ -106,9 +103,7 @@ class Translator(Writer):
         if isinstance(value, tuple):
             places = slot if isinstance(slot, tuple) and len(slot) == len(value) else [None] * len(value)
             return tuple(self.stored(p, v) for p, v in zip(places, value, strict=True))
-        if not isinstance(value, Value | float | int):
-            return value
-        if isinstance(value, Value) and value.ir_type == "lanes":
+        if not isinstance(value, Value | float | int) or getattr(value, "ir_type", "") == "lanes":
             return value
         if not isinstance(slot, Slot):
             slot = self.allocated(value.ir_type if isinstance(value, Value) else _kind(value))
@@ -328,10 +323,8 @@ class Translator(Writer):
             result = self.emit("i1", f"and i1 {self.text(result, 'i1')}, {self.text(test, 'i1')}")
         return result
 
-    def compared(self, sign: ast.cmpop, a: Operand, b: Operand) -> Operand:
-        floats, integers, fold = ORDER[type(sign)]
-        if not isinstance(a, Value) and not isinstance(b, Value):
-            return fold(a, b)
+    def compared(self, sign: ast.cmpop, a: Operand, b: Operand) -> Value:
+        floats, integers = ORDER[type(sign)]
         if _whole(a) and _whole(b):
             return self.emit("i1", f"icmp {integers} i64 {self.text(a, 'i64')}, {self.text(b, 'i64')}")
         ir_type = _number(a, b)
@@ -394,8 +387,7 @@ class Translator(Writer):
         result = arguments[0]
         for other in arguments[1:]:
             beyond = self.compared(ast.Lt() if function == "min" else ast.Gt(), other, result)
-            fold = other if beyond else result
-            result = self.chosen(beyond, other, result) if isinstance(beyond, Value) else fold
+            result = self.chosen(beyond, other, result)
         return result
 
 
