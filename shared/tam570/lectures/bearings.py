@@ -36,7 +36,6 @@ def film(parameters: Parameters) -> Scene:
     """Return the scene of the body, and of a balanced one without the off-diagonal terms."""
     spin, spin_rate = parameters["spin"], parameters["spin_rate"]
     matrix = symmetric((3, 3), inertia=parameters["inertia"])
-    finite(spin=spin, spin_rate=spin_rate)
     times = frame_times(8.0)
     speeds = spin + spin_rate * times
     R = matrix_from_axis_angle(UP, times * (spin + speeds) / 2)

@@ -10,8 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from tam570.forms import Form, WrongForm, conform
-from tam570.loading import Trouble, said
-from tam570.loading import loaded as load_file
+from tam570.loading import Trouble, loaded, said
 from tam570.show.scene import Array
 from tam570.values import Function, Numbers
 
@@ -20,7 +19,7 @@ Made = TypeVar("Made")
 
 def load_student(file: Path, slug: str) -> ModuleType:
     """Import a file or notebook as a module with the assignment's name. Raise Trouble if that fails."""
-    module, _ = load_file(file, slug)
+    module, _ = loaded(file, slug)
     module.__file__ = str(file)
     sys.modules[slug] = module
     return module

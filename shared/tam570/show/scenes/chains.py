@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from tam570.arguments import finite, positive
+from tam570.arguments import positive
 from tam570.integrate import solve
 from tam570.show.plots import drift_caption, value_plot
 from tam570.show.scene import GREY, INK, Array, Panel, Scene, Shape, TimePlot, arrow, frame_times, moving
@@ -24,7 +24,6 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float]) -> Scene:
     """Return the scene of all three, each by its two limits; lifted and poured also with the share `supplied`."""
     length, density, speed, gravity, supplied = (parameters[name] for name in lecture.EXAMPLE)
     positive(length=length, density=density, speed=speed, gravity=gravity)
-    finite(supplied=supplied)
     times = frame_times(1.1 * sqrt(2 * length / gravity))
     shares = {"textbook": 0.0, f"supplied {supplied:g}": supplied, "nothing lost": 0.5}
     folds = [_falls(times, partial(lecture.folded, length=length, gravity=gravity), i, length) for i in (0, 1)]

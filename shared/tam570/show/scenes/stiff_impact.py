@@ -5,7 +5,6 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from tam570.arguments import finite
 from tam570.integrate import solve
 from tam570.show.drawing import coil, graph, unit_circle
 from tam570.show.live import Handle, Live, energies
@@ -24,7 +23,6 @@ def film(lecture: SimpleNamespace, parameters: Mapping[str, float], start: Seque
 
     lecture : functions of the lecture
     """
-    finite(**parameters)
     times = frame_times(seconds)
     states = solve(lecture.rates, times, start, parameters=parameters, rtol=1e-9)
     floor = [Shape("lines", np.array([[-0.3, -DEPTH], [0.3, -DEPTH]]), GREY, width=3)]
