@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from tam570.bytecode import cached_code
 from tam570.integrate.error_scale import NO_SCALE, PART
-from tam570.integrate.formulas import Formulas, call_of, names, tuple_of, unpacked
+from tam570.integrate.formulas import UNIT_ROUNDOFF, Formulas, call_of, names, tuple_of, unpacked
 from tam570.values import Function, Numbers
 
 Row = dict[int, float]  # coefficients by the number of the earlier stage
@@ -131,7 +131,6 @@ def interpolant() -> tuple[list[Row], list[float], NDArray[np.float64]]:
 
 
 KEPT = range(5, 12)  # stages of the step that the interpolant uses
-UNIT_ROUNDOFF = 2.0**-53
 AMPLIFIED = 0.5  # relative difference of derivatives at the end: 0.1 if smooth, 2 if h times a decay rate is 6
 # For y' = z y / h, |z| from 6 to 3000, d that difference, S = |k0| + |e8|: inside the step the interpolant errs by
 # about 0.1 to 1 h d^2 / S, by 9 if d nearly vanishes. d / S is at most |z|^4 / 2; if it is larger, a force sets in.

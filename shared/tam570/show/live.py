@@ -12,14 +12,13 @@ import numpy as np
 
 from tam570.integrate.course import STAND_INS
 from tam570.integrate.formulas import written
-from tam570.integrate.trace import Graph, Untraceable, Value, traced
+from tam570.integrate.trace import FUNCTIONS, Graph, Untraceable, Value, traced
 from tam570.loading import Trouble
 from tam570.show.compact import shape_entry
 from tam570.show.scene import Shape
 from tam570.values import Function, Json, Numbers, Parameters
 
-OF_MATH = "sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp expm1 log log1p log2 log10 sqrt cbrt"
-IN_JAVASCRIPT = [*OF_MATH.split(), "hypot", "pow"]
+IN_JAVASCRIPT = [name for name in dict.fromkeys(FUNCTIONS.values()) if name not in ("fabs", "erf", "erfc")] + ["pow"]
 OPERATIONS = {*IN_JAVASCRIPT, "fabs", "+", "-", "*", "/", "neg"}
 NAMED = {"inf": "Infinity", "-inf": "-Infinity", "nan": "NaN"}
 LEAST, MOST = 0.25, 3.0  # of a slider, relative to the parameter's value

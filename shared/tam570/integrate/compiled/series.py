@@ -17,9 +17,8 @@ from tam570.integrate.compiled.ir import Value, Writer, number
 from tam570.integrate.compiled.llvm import assembled, register_width
 from tam570.integrate.compiled.recurrences import Recurrence, Recurrences
 from tam570.integrate.dop853 import REACH
-from tam570.integrate.formulas import SATURATING
+from tam570.integrate.formulas import SATURATING, UNIT_ROUNDOFF
 
-UNIT_ROUNDOFF = 2.0**-53
 LANES = 8
 HIGHEST = 2 * LANES + 2  # highest order: the lower order in a product is then at most LANES
 FAST = "nsz reassoc contract"  # fast-math flags: sums of products in any order
@@ -286,7 +285,10 @@ class Coefficients(Writer):
             elif r.rule in ("/", "sqrt", "pow") or r.rule[0] == "w":
                 self._divided(i, r, start, single)
             elif r.rule[0] == "y":
-                self._multiplied(i, r, start, single)
+                if r.rule in ("y'=-wa'", "y'=a'-y^2a'"):
+                    self.scales[i] = self.constant(-1.0)
+                factor = self.negative(start[0]) if i in self.scales else start[0]
+                self.multiples[i] = [(1, self.op("add", single, factor) if "y^2" in r.rule else factor)]
 
     def _divided(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
         divisor = {"/": start[-1], "sqrt": self.op("add", self.first[i], self.first[i])}.get(r.rule, start[0])
@@ -305,12 +307,6 @@ class Coefficients(Writer):
             self.multiples[i] = [(1, self.op("mul", start[2], inverse)), (2, self.op("mul", start[1], minus))]
         else:
             self.multiples[i] = [(1, minus if r.rule == "wy'=-a'" else inverse)]
-
-    def _multiplied(self, i: int, r: Recurrence, start: list[str], single: str) -> None:
-        if r.rule in ("y'=-wa'", "y'=a'-y^2a'"):
-            self.scales[i] = self.constant(-1.0)
-        factor = self.negative(start[0]) if i in self.scales else start[0]
-        self.multiples[i] = [(1, factor if "y^2" not in r.rule else self.op("add", single, factor))]
 
     def loads(self, slots: list[str]) -> list[str]:
         return [self.emit(self.ir_type, f"load {self.ir_type}, ptr {slot}").text for slot in slots]

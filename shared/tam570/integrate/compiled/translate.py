@@ -10,13 +10,12 @@ import operator
 from collections.abc import Callable, Mapping, Sequence
 
 from tam570.integrate.compiled.ir import Array, Operand, Slot, Value, Writer, number
+from tam570.integrate.trace import FUNCTIONS
 from tam570.values import Function, Json, Parameters
 
 Names = Json
 
-_LIBM = "sin cos tan asin acos atan sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log1p log2 log10 cbrt erf erfc"
-LIBM = frozenset(_LIBM.split(" "))
-LIBM_OF_TWO = frozenset(("atan2", "hypot", "pow"))
+LIBM = {*FUNCTIONS.values(), "pow"}  # C has them by these names
 ROOTS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs", "abs": "llvm.fabs", "floor": "llvm.floor"}
 ARITHMETIC: dict[type[ast.operator], tuple[str, Callable[[Operand, Operand], Operand]]] = {
     ast.Add: ("add", operator.add),
@@ -50,7 +49,7 @@ class Translator(Writer):
         self.returns: list[tuple[str, Operand]] = []  # labels for `return`, and slots of the values
 
     def _inlined(self, node: ast.FunctionDef) -> Function:
-        straight = not any(isinstance(part, BRANCHING) for part in node.body)
+        straight = not any(isinstance(part, ast.If | ast.For | ast.While) for part in node.body)
 
         def call(_: Operand, *arguments: Operand) -> Operand:
             names: Names = dict(zip((a.arg for a in node.args.args), arguments, strict=True))
@@ -371,7 +370,7 @@ class Translator(Writer):
             ir_type = _number(*arguments)
             name = ROOTS[function] + (f".v{self.width}f64" if ir_type[0] == "<" else ".f64")
             return self.emit(ir_type, f"call {ir_type} @{name}({ir_type} {self.text(arguments[0], ir_type)})")
-        if function in LIBM or function in LIBM_OF_TWO:
+        if function in LIBM:
             listed = ", ".join(f"double {self.text(x, 'double')}" for x in arguments)
             return self.emit("double", f"call double @{function}({listed})")
         if function == "len" and isinstance(arguments[0], tuple | Array):
@@ -403,9 +402,6 @@ def _number(*values: Operand) -> str:
     """Return the common type: a vector if any value is one, else double."""
     types = [value.ir_type for value in values if isinstance(value, Value)]
     return next((ir_type for ir_type in types if ir_type[0] == "<"), "double")
-
-
-BRANCHING = ast.If | ast.For | ast.While
 
 
 def functions_of(source: str) -> dict[str, ast.FunctionDef]:
