@@ -54,11 +54,13 @@ def test_a_function_that_asks_for_values_is_not_written_down(question):
 
 
 def test_helpers_and_numpy_functions_are_traced_too():
+    array = np.array  # as after `from numpy import array`
+
     def helper(x):
         return np.sin(x) + math.cos(x) ** 2
 
     def rates(t, y, *, matrix):
-        return matrix @ np.array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)]) - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
+        return matrix @ array([helper(y[0]), np.sqrt(y[1] ** 2 + 1)]) - np.cross([y[0], 0, 1], [0, 1, y[1]])[:2]
 
     bound = functools.partial(rates, matrix=np.array([[1.0, 0.0], [-2.0, 0.5]]))
     assert engine(bound, None, np.array([0.0, 1.0]), np.array([1.0, 0.0])).is_traced
