@@ -63,7 +63,7 @@ def pytest_make_parametrize_id(val):
     if isinstance(val, bytes):
         return f"{len(val)} bytes"
     text = str(val)
-    if isinstance(val, list | tuple | dict) and len(text) <= 80 and " at 0x" not in text:
+    if isinstance(val, list | tuple | dict) and len(text) <= 80 and "\n" not in text and " at 0x" not in text:
         return text
     return f"{len(val)} characters" if isinstance(val, str) and len(val) > 80 else None
 
