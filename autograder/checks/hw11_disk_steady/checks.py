@@ -11,6 +11,7 @@ from . import cases, reference
 # Formulas agree up to a few rounding errors, 1e-15; a root finder at its usual tolerance of 1e-12 loses two digits if
 # the root is flat. The error of wrong physics is a tenth.
 WITHIN = 1e-9
+BALANCE = "With it, and inward = 0 and normal = m g, is your moment_residual zero?"
 WHICH_ARE_ZERO = "Which of its terms are zero there?"
 UPRIGHT = 1e-7  # the reference takes the limit at a lean of 1e-5, which enters by its square
 
@@ -132,7 +133,7 @@ def rolling_precession_refuses_what_does_not_exist(student, rng):
 @check("sliding_spin", points=0.75, part="b")
 def sliding_spin_balances_the_moments(student, rng):
     """sliding_spin keeps lean and precession steady where only the normal force acts."""
-    compare(student.sliding_spin, cases.members(rng), hint="Which part of the contact force is gone?")
+    compare(student.sliding_spin, cases.members(rng), hint=BALANCE)
     compare(student.sliding_spin, cases.plain_members(rng), hint=WHICH_ARE_ZERO)
 
 

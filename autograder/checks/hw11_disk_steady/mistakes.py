@@ -22,6 +22,12 @@ def rolling_spin(reference, lean, precession, **disk):
     return reference(lean, precession, **disk) + precession * math.sin(lean)
 
 
+@mistake(first_fails=checks.rolling_spin_balances_the_moments)
+def rolling_spin(reference, lean, precession, **disk):
+    """You subtract Omega sin(lean) from the total spin; the total spin has this part already."""
+    return reference(lean, precession, **disk) - precession * math.sin(lean)
+
+
 @mistake(first_fails=checks.rolling_spin_holds_upright_and_without_gravity)
 def rolling_spin(reference, lean, precession, **disk):
     """You return no spin without gravity; a disk that precesses still spins."""
@@ -125,6 +131,18 @@ def sliding_spin(reference, lean, precession, **disk):
     return rolling_spin(lean, precession, **disk)
 
 
+@mistake(first_fails=checks.sliding_spin_balances_the_moments)
+def sliding_spin(reference, lean, precession, **disk):
+    """You return the spin relative to the turning frame; return the total spin."""
+    return reference(lean, precession, **disk) + precession * math.sin(lean)
+
+
+@mistake(first_fails=checks.sliding_spin_balances_the_moments)
+def sliding_spin(reference, lean, precession, **disk):
+    """You subtract Omega sin(lean) from the total spin; the total spin has this part already."""
+    return reference(lean, precession, **disk) - precession * math.sin(lean)
+
+
 @mistake(first_fails=checks.sliding_track_is_around_the_resting_centre)
 def sliding_track_radius(reference, lean, *, radius):
     """You use cos(lean); the lean is measured from the vertical."""
@@ -172,6 +190,12 @@ def moment_residual(reference, lean, precession, spin, inward, normal, *, mass, 
 
 @mistake(first_fails=checks.moment_residual_is_moment_minus_rate)
 def moment_residual(reference, lean, precession, spin, inward, normal, **disk):
+    """You use the spin as relative to the turning frame; it is the total spin."""
+    return reference(lean, precession, spin - precession * math.sin(lean), inward, normal, **disk)
+
+
+@mistake(first_fails=checks.moment_residual_is_moment_minus_rate)
+def moment_residual(reference, lean, precession, spin, inward, normal, **disk):
     """You exchange the arms; the normal force has the arm a sin(lean), the inward one a cos(lean)."""
     return reference(lean, precession, spin, -normal, -inward, **disk)
 
@@ -188,3 +212,10 @@ def settling_energy(reference, lean, *, mass, radius, inertia, gravity):
 def settling_energy(reference, lean, **disk):
     """You set the potential to zero with the disk upright; it is zero with G on the ground."""
     return reference(lean, **disk) - disk["mass"] * disk["gravity"] * disk["radius"]
+
+
+@mistake(first_fails=checks.settling_energy_adds_up)
+def settling_energy(reference, lean, **disk):
+    """You let the disk turn about the vertical with Omega; its total spin is zero, so omega is along a diameter."""
+    turning = (common_precession(lean, **disk) * math.sin(lean)) ** 2
+    return reference(lean, **disk) + disk["inertia"][1] * turning / 2
