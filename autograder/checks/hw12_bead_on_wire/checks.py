@@ -24,6 +24,7 @@ LOSSES = {1e-3: 0.6, 1e-2: 0.3}  # {relative loss of energy: share of the points
 ENERGY = 7e-5  # BDF at the same tolerances loses 7e-6 of it in thirty periods, the others 1e-6
 COARSELY = 0.03  # of the amplitude after many periods; other rows of the motion have an error of one or two
 PERIOD = 1e-6  # a quadrature with a singular end, or an event of a simulation, has an error of 1e-8
+MUCH_BETTER = 0.1  # of the relative error at a fourth of the amplitude: a series has less, a singular end as much
 TINY = 5e-4  # at micrometres an event of a simulation with an absolute tolerance of 1e-9 m has an error of 5e-5
 
 compare = compare_with(reference, tolerance=FORMULA)
@@ -194,11 +195,20 @@ def simulate_keeps_the_energy(student, rng):
     compare_energy(student.simulate, cases.many_periods(rng), KEPT, partial=LOSSES, hint=hint)
 
 
+def of_accuracy(student, case, period, expected):
+    """Return whether a nearly right period is better at a smaller amplitude, and a question that follows from it."""
+    small = case.replace(case.args[0] / 4)
+    right = reference.period(*small.args, **small.kwargs)
+    if abs(student.period.aside(small) / right - 1) < MUCH_BETTER * abs(period / expected - 1):
+        return ", and much better at a smaller amplitude: does a series end too early, or has a quadrature few points?"
+    return ", and hardly better at a smaller amplitude: is your quadrature exact where v is zero?"
+
+
 @check("period", points=1, part="b")
 def period_is_exact(student, rng):
     """exact for amplitudes near 1/c."""
     energy = "The energy gives v at every x, and dt is dx/v; the wire is longer than x."
-    hint = if_nearly("is your quadrature exact where v is zero?", energy)
+    hint = if_nearly(partial(of_accuracy, student), energy)
     compare(student.period, cases.usual_periods(rng), tolerance=PERIOD, hint=hint)
 
 

@@ -144,10 +144,15 @@ def _by_columns(columns: Sequence[Column], case: Case, actual: Numbers, expected
         yield Comparison(actual[..., where], expected[..., where], *words, columns=where, t=t)
 
 
-def if_nearly(accuracy: str, otherwise: str) -> HintOfCase:
+def if_nearly(accuracy: HintOfCase, otherwise: str) -> HintOfCase:
     """Return a hint for a positive number: a question about its accuracy if it is nearly right, else `otherwise`."""
-    said = f"It is nearly right: {accuracy}"
-    return lambda case, number, expected: said if abs(number - expected) <= PERCENT * expected else otherwise
+
+    def hint(case: Case, number: Numbers, expected: Numbers) -> str:
+        if not abs(number - expected) <= PERCENT * expected:
+            return otherwise
+        return f"It is nearly right{accuracy(case, number, expected) if callable(accuracy) else f': {accuracy}'}"
+
+    return hint
 
 
 def compare_with(
