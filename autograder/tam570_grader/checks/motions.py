@@ -104,13 +104,18 @@ def diagnosed(
     with np.errstate(all="ignore"):
         moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # rest is the same at any times
         message = next((sentence for is_so, sentence in _rules(motion, motions, turns) if moves and is_so()), "")
-        if message or not (motion.error <= near_miss or obeys(motion)):
+        if message:
             return message
+        is_near = motion.error <= near_miss or obeys(motion)
+        own_rates = rates_are_right is not None and (motion.error > ROUGHLY or not is_near) and rates_are_right()
+        if not (is_near or own_rates):
+            return ""
         share = _explained(motion)
         if share >= EXPLAINS or _jumps(motion):
             return ""
-        likely = share <= EXPLAINED and (motion.error <= ROUGHLY or bool(rates_are_right and rates_are_right()))
-        return TIGHT if likely else NEARLY_FOLLOWS
+        if share <= EXPLAINED and (motion.error <= ROUGHLY or own_rates):
+            return TIGHT
+        return NEARLY_FOLLOWS if is_near else ""
 
 
 TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"

@@ -123,7 +123,8 @@ class OwnRates:
     def hint(self, motion: ComparedMotion) -> str:
         """Return where to look."""
         if self.are_right(motion):
-            return f"{self.name} is right along this motion: integrate it, with the given parameters, from t[0] on"
+            asked = f"does {motion.function.name} integrate it, with the given parameters, from t[0] on"
+            return f"{self.name} is right along this motion: {asked}, and return the rows as they are"
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
 
     def _function(self, motion: ComparedMotion) -> StudentFunction:
