@@ -69,6 +69,13 @@ def body_sequence(reference, steps):
 
 @mistake(first_fails=checks.the_book_is_turned_in_both_orders)
 def book_rotations(reference):
+    """You exchange (a) and (b), as if the axes turned with the book; they are fixed in space."""
+    R_a, R_b = reference()
+    return R_b, R_a
+
+
+@mistake(first_fails=checks.the_book_is_turned_in_both_orders)
+def book_rotations(reference):
     """You return the transpose of (a) as (b), which undoes (a); (b) makes the same two turns in the other order."""
     R_a, _ = reference()
     return R_a, R_a.T
