@@ -274,7 +274,8 @@ def _general(body: FreeBody, missing: Sequence[Force], extra: Sequence[Arrow], n
         yield f"You drew your forces at points where none acts; {body.forces[0].name} acts at {body.forces[0].where}."
     for force in missing:
         astray = force.along is not None and any(_at(force, arrow, near) for arrow in extra)
-        mistake = f"drew {force.name} along a wrong line, or left it out" if astray else f"left out {force.name}"
+        mistake = f"drew {force.name} along a wrong line" if astray else f"left out {force.name}"
+        mistake += ", or left it out" if astray and len(missing) + len(extra) > 2 else ""
         yield f"You {mistake}; it acts at {force.where}."
     for force, arrow in itertools.product(itertools.chain(body.forces, *body.others), extra):
         if _at(force, arrow, near) and (force.along is None or _same_line(force, arrow)):
