@@ -163,6 +163,7 @@ JOINED = (
     "This row is accurate when requested alone: do you interpolate linearly between steps, or at a loose tolerance?"
 )
 SAMPLED = "With more times in between the same rows are accurate: take smaller steps"
+OF_STEPS = TIGHT, JOINED, SAMPLED  # the physics is right
 
 
 def _repeats(motion: ComparedMotion, row: int) -> bool:

@@ -17,7 +17,7 @@ from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.check import Check
 from tam570_grader.checks.expect import LONGEST_FAULT, Failed, NotWritten, check_context
 from tam570_grader.checks.failure import Failure
-from tam570_grader.checks.motions import OF_ROWS, OF_TIMES, flat
+from tam570_grader.checks.motions import OF_ROWS, OF_STEPS, OF_TIMES, flat
 from tam570_grader.checks.returns import FreeBodyDiagram
 from tam570_grader.checks.student import StudentFunction
 from tam570_grader.checks.trajectory import SETTING_OFF
@@ -168,7 +168,7 @@ def _cause(run: Run, check: Check, failed: Failed) -> Cause | None:
         solution,
         checks_folder(assignment.root, assignment.slug),
         earlier=earlier,
-        is_told=failed.failure.hint in OF_TIMES,
+        is_told=failed.failure.hint in (*OF_TIMES, *OF_STEPS),
         passed={check.function for check in done} - wrong - {call.name for call in calls},
     )
     following = follows(solution, calls, earlier)
