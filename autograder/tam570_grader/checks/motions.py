@@ -1,7 +1,7 @@
 """Diagnose a wrong motion from its rows: late, wrapped, from another call, interpolated, at a loose tolerance."""
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -104,18 +104,13 @@ def diagnosed(
     with np.errstate(all="ignore"):
         moves = np.max(np.ptp(motion.expected, axis=0) / motion.scales) > ALIKE  # rest is the same at any times
         message = next((sentence for is_so, sentence in _rules(motion, motions, turns) if moves and is_so()), "")
-        if message:
+        if message or not (motion.error <= near_miss or obeys(motion)):
             return message
-        is_near = motion.error <= near_miss or obeys(motion)
-        own_rates = rates_are_right is not None and (motion.error > ROUGHLY or not is_near) and rates_are_right()
-        if not (is_near or own_rates):
-            return ""
         share = _explained(motion)
         if share >= EXPLAINS or _jumps(motion):
             return ""
-        if share <= EXPLAINED and (motion.error <= ROUGHLY or own_rates):
-            return TIGHT
-        return NEARLY_FOLLOWS if is_near else ""
+        likely = share <= EXPLAINED and (motion.error <= ROUGHLY or bool(rates_are_right and rates_are_right()))
+        return TIGHT if likely else NEARLY_FOLLOWS
 
 
 TIGHT = "The physics is right: tighten rtol and atol, or take smaller steps"
@@ -270,9 +265,13 @@ def _joined(motion: ComparedMotion) -> bool:
 def _denser(motion: ComparedMotion) -> bool:
     """Return whether the rows become right with more times in between, which excludes a wrong equation."""
     t, between = motion.t, max(2, DENSER // len(motion.t))
-    fine = np.append(np.linspace(t[:-1], t[1:], between, endpoint=False).T.ravel(), t[-1])
-    repeated = motion.repeated_at(fine)
+    repeated = motion.repeated_at(_finer(t, between))
     return bool(np.max(np.abs(repeated[::between] - motion.expected) / motion.scales) <= BETTER * motion.error)
+
+
+def _finer(t: Array, count: int) -> Array:
+    """Return the times with each step divided into `count` steps."""
+    return np.append(np.linspace(t[:-1], t[1:], count, endpoint=False).T.ravel(), t[-1])
 
 
 def obeys(motion: ComparedMotion, *, everywhere: bool = False) -> bool:
@@ -309,6 +308,17 @@ def _jumps(motion: ComparedMotion) -> bool:
     """Return whether nearly all of the error arises between two of many rows, unlike with a loose tolerance."""
     lost = _lost(motion, np.arange(len(motion.t) - 1))
     return lost.size >= TRIED and float(lost.max()) > max(ROUGHLY, JUMPED * float(lost.sum()))
+
+
+def has_coarse_steps(motion: ComparedMotion) -> bool:
+    """Return whether a motion that is far off makes errors in many steps, and leaves its states at the right rates."""
+    t = _finer(motion.t, 1 + 2 * TRIED // len(motion.t))
+    fine = replace(motion, case=motion.case.replace(t), actual=motion.repeated_at(t), expected=motion.truly(t))
+    with np.errstate(all="ignore"):
+        if not fine.error <= ABSURD or fine.errors[0].max() > ALIKE:
+            return False
+        lost = _lost(fine, np.arange(len(t) - 1))
+        return float(lost.max()) <= JUMPED * float(lost.sum()) and _explained(fine) <= EXPLAINED
 
 
 def _explained(motion: ComparedMotion) -> float:

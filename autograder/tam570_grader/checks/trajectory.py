@@ -25,11 +25,13 @@ from tam570_grader.checks.expected import expected_result
 from tam570_grader.checks.formulas import in_symbols
 from tam570_grader.checks.motions import (
     ROUGHLY,
+    TIGHT,
     ComparedMotion,
     Rates,
     Restart,
     diagnosed,
     flat,
+    has_coarse_steps,
     has_rates,
     obeys,
     sets_off,
@@ -123,8 +125,10 @@ class OwnRates:
     def hint(self, motion: ComparedMotion) -> str:
         """Return where to look."""
         if self.are_right(motion):
-            asked = f"does {motion.function.name} integrate it, with the given parameters, from t[0] on"
-            return f"{self.name} is right along this motion: {asked}, and return the rows as they are"
+            asked = (
+                f"does {motion.function.name} integrate it, with the given parameters, from t[0] on, and keep its rows?"
+            )
+            return TIGHT if has_coarse_steps(motion) else f"{self.name} is right along this motion: {asked}"
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
 
     def _function(self, motion: ComparedMotion) -> StudentFunction:
