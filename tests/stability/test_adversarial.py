@@ -575,6 +575,17 @@ def kept_integral():
     return rates
 
 
+def delay():
+    """Return y' = -y(t - 1) from a list of all calls, which becomes slower with every call."""
+    history = [(0.0, 1.0)]
+
+    def rates(t, y):
+        history.append((t, float(y[0])))
+        return (-max(call for call in history if call[0] <= max(t - 1.0, 0.0))[1],)
+
+    return rates
+
+
 def noise(seed, since=0.0):
     rng = np.random.default_rng(seed)
     return lambda t, y: (-y[0] + (rng.normal() if t >= since else 0.0),)
@@ -617,6 +628,7 @@ reciprocal = functools.lru_cache(lambda x: 1 / (x - 1))
 AT_1, TO_AND_FRO = r"t = (1|0\.99)", "to and fro at t = "
 REFUSED = {  # name: (rates, times, start, words of the message, the exception if it is no ArithmeticError)
     "it remembers": (remembers(), (0, 1), [1.0], "remember", ValueError),
+    "a delay": (delay(), (0, 20), [1.0], "remember", ValueError),
     "hysteresis": (hysteresis(), (0, 5), [0.0, 0.0], "remember", ValueError),
     "a memory with rounded keys": (rounded_memory(), (0, 2), [1.0], "remember", ValueError),
     "an integral that it keeps": (kept_integral(), (0, 3), [0.0], "remember", ValueError),

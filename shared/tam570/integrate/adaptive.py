@@ -29,6 +29,7 @@ from tam570.values import Numbers
 
 STEP, CALLED_STEP = 60, 180  # calls of a short Python function as long as a step, of traced and called rates
 AT_A_TIME = 500  # steps between two looks of `watch_for_end`, at most
+OFTEN = 50  # the same of a called function, and between two tests whether it remembers earlier calls
 WORTH_LANES = 16  # starts, from which on compilation of code for eight motions is worthwhile
 AT_A_SWITCH = 6  # attempts that a switch costs; they count as refusals
 FAR = 1e3  # in lengths of the run, time beyond which its round-off matters
@@ -299,8 +300,9 @@ def _cause(run: Run, last: State) -> str:
 def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State, budget: int) -> State:
     """Return the state after `budget` attempts of `advance`, or at the end; since : times as a list or array for it."""
     last = state.steps + state.refusals + budget
+    at_a_time = AT_A_TIME if run.engine.is_traced else OFTEN
     while run.share(state) < 1 and (remaining := last - state.steps - state.refusals) > 0:
-        some = min(remaining, AT_A_TIME if run.estimate is None else run.estimate.due - run.estimate.steps)
+        some = min(remaining, at_a_time if run.estimate is None else run.estimate.due - run.estimate.steps)
         before = state.steps + state.refusals
         state = advance(run.origin, since, run.rows, state, run.engine.constants, run.rtol, run.control.max_step, some)
         run.last = state
@@ -308,7 +310,7 @@ def step_n(run: Run, advance: Numbers, since: Numbers, look: Look, state: State,
         in_vain = state.refusals + (AT_A_SWITCH * run.engine.switches.passages if run.engine.switches else 0)
         by_rounding = is_blurred(state.measured, state.y, state.a, run.rtol)
         look(state.t, state.y, partial(_sizes, state, run.rtol), state.steps, in_vain, by_rounding)
-        if some == AT_A_TIME:
+        if (state.steps + state.refusals) // OFTEN > before // OFTEN:
             _check_history(run.engine, run.origin + state.t, np.array(state.y), run.origin, run.rtol)
         if run.estimate is not None:
             run.estimate.add(state.steps + state.refusals - before, run.origin + state.t)

@@ -48,7 +48,8 @@ def slot_of(
         if not isinstance(t, tuple):
             times = np.asarray(t, dtype=float)
             t = times.shape, times.tobytes()
-        start = len(y0) if method == "compiled" else np.asarray(y0, dtype=float).tobytes()  # "auto" depends on it
+        # "auto" depends on the start; a complex one raises TypeError
+        start = len(y0) if method == "compiled" else np.asarray(y0).astype(float, casting="same_kind").tobytes()
         return cache_slot((key, start, t, rtol, atol))
     except (Changeable, TypeError, ValueError, OverflowError):
         return None

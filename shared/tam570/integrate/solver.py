@@ -117,7 +117,7 @@ def solve(
     t : (n,) array_like
         Strictly increasing or decreasing, n >= 2. Times between t[0] and t[-1] do not affect the steps.
     y0 : (k,) or (m, k) array_like
-        One start, or m starts at once.
+        One start, or m starts at once if k > 1: a column may be one start that was not flattened.
     parameters : mapping, optional
         Keyword arguments of rhs.
     rtol, atol : float, atol also (k,)
