@@ -111,7 +111,7 @@ def advance(
                 error = _error(fifth, third, suspicious)
         if reach and error <= 1.0 and not at_last and h > 2.0 * reach(origin + new, h, n, g, c):
             error = UNSEEN
-        sure = passed(origin + t, h, y, f, n, g, error, shortest, c) if passed and fifth < inf else inf
+        sure = passed(origin + t, h, y, f, n, g, a, error, shortest, c) if passed and fifth < inf else inf
         is_brief = h < BLURRED * shortest
         error = UNSEEN if is_brief and h < BRIEF * end and error <= 1.0 and _leaps(h, y, n, g, a, rtol, LEAP) else error
         is_cut = sure < h and not at_last

@@ -165,7 +165,7 @@ def stepping(formulas: Formulas, forgiving: bool = True) -> str:
     step, cross, nothing = _step(formulas), _cross(formulas), tuple_of(["nan"] * formulas.size)
     parts = [_forgiving(step, "y, r, f, inf, 0.0, ()") if forgiving else step]
     parts += [_forgiving(cross, f"{nothing}, r, f") if forgiving else cross]
-    parts += [["def passed(start, h, y, f, n, g, error, shortest, c):", "return inf"]]
+    parts += [["def passed(start, h, y, f, n, g, a, error, shortest, c):", "return inf"]]
     return _source([*parts, _error_norms(formulas), _lesser(formulas)])
 
 

@@ -122,12 +122,11 @@ def _traced_engine(rates: Rates, times: Array, start: Array, sampled: bool, sign
 
 
 def _called_engine(called_rates: CalledRates, times: Array, sampled: bool, sign: float, reason: str) -> Engine:
-    rates, size = called_rates.rates, called_rates.size
-    formulas = call_of(size)
-    switches = Switches(rates, size, float(times[-1] - times[0]), sign)
+    formulas = call_of(called_rates.size)
+    switches = Switches(called_rates, float(times[-1] - times[0]), sign)
     by_call = {"roundoff": called_rates.roundoff, "reach": switches.reach, "passed": switches.passed}
     functions = _with_loop({**compiled(formulas, sampled, called_rates), **by_call})
-    return Engine(rates, functions, (), formulas, None, reason, sign, called_rates, switches)
+    return Engine(called_rates.rates, functions, (), formulas, None, reason, sign, called_rates, switches)
 
 
 @lru_cache(maxsize=256)

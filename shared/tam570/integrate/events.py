@@ -29,7 +29,7 @@ class Report:
     untraced_reason : str
         Why the right-hand side was called unchanged instead of traced; empty if it was traced.
     unseen_reason : str
-        Why switches of a called rhs cannot be detected: steps are then at most a thousandth of the run. Else empty.
+        Why switches of a called rhs cannot be detected: it is then evaluated at a thousand more points. Else empty.
     steps : int
     refusals : int
         Steps that were refused and repeated with a smaller step size.

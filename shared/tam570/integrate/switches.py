@@ -2,8 +2,12 @@
 
 The quantities on which its decisions depend (see `course`) are switching functions, evaluated along each step. If one
 crosses zero, the step is repeated to end just before the first crossing; the shortest possible step then crosses it. So
-no step jumps over a window of time or state, and none combines two pieces. If a function cannot be analyzed like this,
-no step is longer than a thousandth of the run.
+no step jumps over a window of time or state, and none combines two pieces.
+
+If a function cannot be analyzed like this, it is evaluated along each step, at points no farther apart than a
+thousandth of the run. A polynomial follows smooth rates from point to point; if a rate is off by more than the
+tolerance allows over the distance of two points, the step is repeated in steps of at most this distance. So a pulse
+that is as long as a thousandth of the run is seen, and so is a jump; a shorter pulse may lie between two points.
 """
 
 import math
@@ -15,7 +19,7 @@ import numpy as np
 from tam570.integrate.arguments import Array
 from tam570.integrate.course import Course, along
 from tam570.integrate.dop853 import REACH
-from tam570.integrate.rates import Rates
+from tam570.integrate.rates import TRIAL_ERRORS, CalledRates
 from tam570.integrate.trace import refusal_of
 from tam570.integrate.watch import chatter
 from tam570.values import Numbers
@@ -25,7 +29,9 @@ X = np.linspace(0.0, 1.0, POINTS)
 SHORT = 1e-3  # margin before a switch, as a fraction of the distance
 AT_HAND = 2.5  # smallest margin, in shortest steps; not an integer, so that no step ends exactly at the switch
 ROUNDED = (1.37, -2.91, 1.82, -5.3)  # units in the last place; changes of the state that reveal round-off
-UNSEEN = 1000.0  # steps, at least, of a run whose switches cannot be detected
+UNSEEN = 1000.0  # points, at least, of a run whose switches cannot be detected
+FEWEST = 12  # distances of these points in a step, at least
+ORDER, WEIGHT = 8, 8.0  # of the differences of rates, at most 0.01 tolerances if smooth; weight of the second point
 NOISE = 16.0  # size below which a switching function has no sign, in units of its round-off
 CHATTER = 60  # consecutive switches
 LEAVING = 200  # sample points in a step that starts at a switch
@@ -53,9 +59,9 @@ class Switches:
     reason : why they cannot be detected; opaque : a function that may contain some; both are empty if all is well
     """
 
-    def __init__(self, rates: Rates, size: int, span: float, sign: float) -> None:
-        self.span, self.sign = span, sign
-        self.profile = along(rates, size)
+    def __init__(self, rates: CalledRates, span: float, sign: float) -> None:
+        self.rates, self.span, self.sign = rates, span, sign
+        self.profile = along(rates.rates, rates.size)
         self.begin(0.0)
 
     def begin(self, rtol: float) -> None:
@@ -63,6 +69,7 @@ class Switches:
         self.same = SAME * rtol
         self.reason = self.opaque = ""
         self.is_smooth = False  # whether the function makes no decisions
+        self.rtol, self.short_until = rtol, -math.inf  # s, end of a step that may hide a pulse
         self.time, self.distance = math.nan, math.inf  # end of the last step, and s from there to the next switch
         self.expected = -math.inf  # s, estimated time of that switch
         self.pace = self.longest = 0.0  # s, longest steps before the last switches, and since
@@ -80,11 +87,11 @@ class Switches:
     def reach(self, start: float, h: float, y: Numbers, f: Numbers, c: Numbers) -> float:
         """Return the longest step, s, that ends before the next switch, as far as it can be predicted."""
         distance = self.distance if abs(start - self.time) <= 4 * EPS * abs(start) else math.inf
-        return min(distance, self.span / UNSEEN) if self.unseen_reason else distance
+        return min(distance, self.span / UNSEEN) if start < self.short_until else distance
 
     @property
     def unseen_reason(self) -> str:
-        """Why steps are at most a thousandth of the run; empty if they are not limited."""
+        """Why switches cannot be detected; empty if they can."""
         return self.reason or self.opaque and f"nobody can see where {self.opaque} switches"
 
     def passed(
@@ -95,6 +102,7 @@ class Switches:
         f: Numbers,
         n: Numbers,
         g: Numbers,
+        a: Numbers,
         error: float,
         shortest: float,
         c: Numbers,
@@ -104,7 +112,7 @@ class Switches:
         The shortest step may cross one: then return its length.
         """
         if self.reason or self.is_smooth:
-            return math.inf
+            return self._pulse_free(start, h, y, f, n, g, a, error)
         moves = np.array((n, f, g)) if error <= 1.0 else np.array((f, f, f))  # the end of a refused step is not used
         moves[1:] *= h
         moves[0] = moves[0] - y if error <= 1.0 else moves[1]
@@ -118,8 +126,8 @@ class Switches:
         except Exception as reason:  # a function that fails with symbols is called with numbers only
             self.reason = refusal_of(reason)
             part, ahead, is_exact = math.inf, math.inf, False
-        if self.unseen_reason and 2.0 * self.span / UNSEEN < min(part, 1.0) * h:
-            return self.span / UNSEEN
+        if part > 1.0 and (limit := self._pulse_free(start, h, y, f, n, g, a, error)) < h:
+            return limit
         shortest = max(shortest, self.leaving)
         is_at_switch = h <= 2.0 * shortest
         self.leaving *= error > 1.0
@@ -140,6 +148,27 @@ class Switches:
             return h
         self.expected = start + part * h
         return _just_before(part * h, 0.0 if is_exact else 1.0, max(shortest, 4.0 * EPS * abs(self.expected)))
+
+    def _pulse_free(
+        self, start: float, h: float, y: Numbers, f: Numbers, n: Numbers, g: Numbers, a: Numbers, error: float
+    ) -> float:
+        """Return how long an accepted step, s, may be to hide no pulse, by its rates at points along a cubic."""
+        longest = self.span / UNSEEN
+        if not self.unseen_reason or error > 1.0 or h <= 2.0 * longest:
+            return math.inf
+        x = np.linspace(0.0, 1.0, max(FEWEST, math.ceil(h / longest)) + 1)
+        first, last = np.array(y), np.array(n)
+        path = first[:, None] + np.array((last - first, h * np.array(f), h * np.array(g))).T @ _basis(x)
+        tolerance = np.array(a) + self.rtol * np.maximum(np.abs(first), np.abs(last))
+        try:
+            points = zip((start + h * x).tolist()[1:-1], path.T.tolist()[1:-1], strict=True)
+            inside = [self.rates(*point) for point in points]
+            if (_pulses(np.array([f, *inside, g])) * h * x[1] <= tolerance).all():
+                return math.inf
+        except TRIAL_ERRORS:
+            pass  # the shorter steps tell whether the solution leads there
+        self.short_until = start + h
+        return longest
 
     def _count(self, start: float, y: Numbers, f: Numbers, g: Numbers) -> None:
         """Count a step across a switch; raise ArithmeticError if the motion does not leave it.
@@ -228,6 +257,17 @@ class Switches:
                 self.crosses_unseen = bool(((left_out[:, 0] > 0.0) & (left_out[:, -1] <= 0.0)).any())
             positive = positive[~is_left_out]
         return positive, _saturated(saturating) if saturating else math.inf
+
+
+def _pulses(rates: Array) -> Array:
+    """Return (k,) areas of pulses in (m, k) rates at equal distances, each as wide as one to m / FEWEST distances."""
+    areas = np.zeros(rates.shape[1])
+    for width in range(1, (len(rates) - 1) // FEWEST + 1):
+        changes = rates
+        for _ in range(ORDER):
+            changes = changes[width:] - changes[:-width]
+        areas = np.maximum(areas, width / WEIGHT * np.abs(changes).max(axis=0))
+    return areas  # NaN if a rate is
 
 
 def _just_before(time: float, closeness: float, shortest: float) -> float:
