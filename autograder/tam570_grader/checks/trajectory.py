@@ -122,13 +122,12 @@ class OwnRates:
         function: StudentFunction = getattr(motion.function.student, self.passes)
         return own_result(function, self.reference, Case(row, **motion.case.kwargs))
 
-    def hint(self, motion: ComparedMotion) -> str:
-        """Return where to look."""
+    def hint(self, motion: ComparedMotion, asked: str = "") -> str:
+        """Return where to look: what the check asks, unless the motion shows more."""
         if self.are_right(motion):
-            asked = (
-                f"does {motion.function.name} integrate it, with the given parameters, from t[0] on, and keep its rows?"
-            )
-            return TIGHT if has_coarse_steps(motion) else f"{self.name} is right along this motion: {asked}"
+            integrated = f"does {motion.function.name} integrate it, with the given parameters, from t[0] on?"
+            asked = asked or f"{self.name} is right along this motion: {integrated}"
+            return TIGHT if has_coarse_steps(motion) else asked
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
 
     def _function(self, motion: ComparedMotion) -> StudentFunction:
@@ -324,9 +323,8 @@ def _hint(
     said = own_rates.source(motion) if own_rates else ""
     said = said or diagnosed(motion, motions, turns, near_miss, rates_are_right)
     said = said or (hint(motion) if callable(hint) else "")
-    if not said and own_rates and not (isinstance(hint, str) and hint and own_rates.are_right(motion)):
-        return own_rates.hint(motion)
-    return said or ("" if callable(hint) else hint)
+    asked = "" if callable(hint) else hint
+    return said or (own_rates.hint(motion, asked) if own_rates else asked)
 
 
 def _along(invariant: Invariant, motion: ComparedMotion) -> Curve | None:
