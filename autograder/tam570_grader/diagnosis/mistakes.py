@@ -29,6 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
+from tam570.meter import Exhausted, count, limited
 from tam570.values import Function, Json, Numbers
 from tam570_grader.checks.case import Call
 from tam570_grader.checks.check import Check, LruCache
@@ -46,6 +47,7 @@ OF_A_STATE = 15  # numbers in a state, at most
 MOST_ANSWERS = 2**26  # bytes in the cache; students with the same inputs share answers
 MOST_CHANGES = 2**17  # cached comparisons of an answer with and without a mistake
 OF_AN_ANSWER = 1000  # bytes per answer besides its numbers
+MOST_STEPS = 500_000  # of an answer; a motion of a mistake takes a fifth at most, unless its steps become ever shorter
 
 
 @dataclass(frozen=True)
@@ -259,7 +261,7 @@ def answer(solution: str, text: str, call: Call) -> Numbers:
 
     def compute() -> Numbers:
         return shared(
-            call.name, name, packed(call.name) + message, lambda: computed(solution_with(solution, text), call)
+            call.name, name, packed(call.name) + message, lambda: _limited(solution_with(solution, text), call)
         )
 
     return _answers.value((name, call.name, message), compute)
@@ -293,6 +295,16 @@ def computed(module: ModuleType, call: Call) -> Numbers:
                 return np.array([value(*point.values()) for point in case.points], float)
             return function(*case.args, **case.kwargs)
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
+        return NoValue
+
+
+def _limited(module: ModuleType, call: Call) -> Numbers:
+    """Return the answer of a module's function to a call; `NoValue` also if it takes more than `MOST_STEPS`."""
+    try:
+        with limited(MOST_STEPS):
+            return computed(module, call)
+    except Exhausted:
+        count(0)  # raises it again if the steps of the whole diagnosis are spent
         return NoValue
 
 
