@@ -22,6 +22,16 @@ class Meter:
 
     remaining: int
 
+    @contextmanager
+    def running(self) -> Iterator[None]:
+        """Count the steps of a block in this meter, too, which limits several blocks together."""
+        with limited(self.remaining) as meter:
+            most = meter.remaining
+            try:
+                yield
+            finally:
+                self.remaining -= most - meter.remaining
+
 
 _meter: ContextVar[Meter | None] = ContextVar("meter", default=None)
 

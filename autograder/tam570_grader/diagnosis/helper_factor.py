@@ -32,19 +32,22 @@ def same_factor(
     if len(wrong) < FEWEST or any(is_motion(call) for call in wrong):
         return False
 
-    def outcomes(index: int) -> list[bool]:
+    def makes_right(index: int) -> bool:
         """Return whether each wrong call becomes right; leave out calls for which there is no factor."""
-        are_right = []
+        left = len(wrong)
         for call in wrong:
             case = _with_shared(solution, Call(other.name, before, None), call)
             expected = right_answer(solution, Call(other.name, case, None))
             factor = _factor(expected, partial(other.scaled, helper, index, call=case))
-            if factor:
-                result = function.scaled(helper, index, factor, call.case)
-                are_right.append(same(result, right_answer(solution, call), WITHIN))
-        return are_right
+            if not factor:
+                left -= 1
+            elif not same(function.scaled(helper, index, factor, call.case), right_answer(solution, call), WITHIN):
+                return False
+            if left < FEWEST:
+                return False
+        return True
 
-    return any(len(are_right) >= FEWEST and all(are_right) for are_right in map(outcomes, PLACES))
+    return any(map(makes_right, PLACES))
 
 
 def _with_shared(solution: str, before: Call, call: Call) -> Case:

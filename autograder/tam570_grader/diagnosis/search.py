@@ -338,7 +338,7 @@ def _mutant_of_any(search: Search) -> Cause | None:
         reach = reach_of.get(search.name, set())
         likely = reach.difference(*(reach_of.get(function, ()) for function in search.passed))
         for suspects in filter(None, (likely, reach - likely)):  # a student's copy of a passed helper may be wrong
-            if mutant := _mutant(source, module, search.name, search.calls, public, suspects):
+            if mutant := _mutant(_mutants(source, suspects), module, search.name, search.calls, public, set()):
                 words, texts = mutant
                 answers = tuple(partial(answer, search.solution, f"{other}\n{text}") for text in texts)
                 return Cause(search.name, words, "mutant", answers)
@@ -353,17 +353,28 @@ def _module(*texts: str) -> ModuleType:
     return module
 
 
+def _mutants(source: str, suspects: Set[str]) -> list[NamedMutant]:
+    """Return the mutants of the functions of the source that may have the slip."""
+    return [mutant for mutant in named_mutants(source) if mutant.function in suspects]
+
+
 def _mutant(
-    source: str, module: ModuleType, name: str, calls: Sequence[ComparedCall], public: Set[str], suspects: Set[str]
+    mutants: Sequence[NamedMutant],
+    module: ModuleType,
+    name: str,
+    calls: Sequence[ComparedCall],
+    public: Set[str],
+    refuted: set[str],
 ) -> tuple[str, list[str]] | None:
     """Return the words and sources of the mutants that explain all calls, if all have the same words; else None.
 
     public : the parameters of the function
-    suspects : the functions of the source that may have the slip
+    refuted : see `shared_mutants`
     """
-    mutants = [mutant for mutant in named_mutants(source) if mutant.function in suspects]
     by_rank = (list(group) for _, group in groupby(mutants, key=lambda mutant: mutant.edit.rank))
-    explaining = next(filter(None, (_explaining_mutants(group, module, calls, public) for group in by_rank)), {})
+    explaining = next(
+        filter(None, (_explaining_mutants(group, module, calls, public, refuted) for group in by_rank)), {}
+    )
     edits = {mutant.edit for mutant in explaining.values()}
     words = {edit.words for edit in edits}
     if MISSING_FACTOR in words:
@@ -383,17 +394,23 @@ def _mutant(
 
 
 def _explaining_mutants(
-    mutants: Iterable[NamedMutant], module: ModuleType, calls: Sequence[ComparedCall], public: Set[str]
+    mutants: Iterable[NamedMutant],
+    module: ModuleType,
+    calls: Sequence[ComparedCall],
+    public: Set[str],
+    refuted: set[str],
 ) -> dict[tuple[str, str], NamedMutant]:
     """Return the first mutant with each words and term that explains all calls."""
     explaining: dict[tuple[str, str], NamedMutant] = {}
     for mutant in mutants:
         key = mutant.edit.words, mutant.term(public)
-        if key not in explaining:
+        if key not in explaining and mutant.text not in refuted:
             right = getattr(module, mutant.function)
             exec(_code(mutant.text), vars(module))
             if _explains(partial(_called, module), calls):
                 explaining[key] = mutant
+            else:
+                refuted.add(mutant.text)
             setattr(module, mutant.function, right)
     return explaining
 
@@ -404,8 +421,11 @@ def _called(module: ModuleType, call: ComparedCall) -> Numbers:
     return getattr(module, call.name)(*call.case.args, **call.case.kwargs)
 
 
-def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> tuple[Answer, ...]:
-    """Return the answers of mutants in what two functions of a source share, which explain all calls of the first."""
+def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call], refuted: set[str]) -> tuple[Answer, ...]:
+    """Return the answers of mutants in what two functions of a source share, which explain all calls of the first.
+
+    refuted : the sources of mutants that do not explain these calls, for the next search; updated
+    """
     reach_of = reached(text)
     if not {name, other} <= reach_of.keys() or not reach_of[name] & reach_of[other]:
         return ()
@@ -413,7 +433,8 @@ def shared_mutants(text: str, name: str, other: str, calls: Sequence[Call]) -> t
         with limited(MOST):
             module = solution_with.__wrapped__(text, "")  # a new one, into which mutants are put
             public = {*inspect.signature(getattr(module, name)).parameters, *calls[0].case.kwargs}
-            mutant = _mutant(text, module, name, _compared(text, calls), public, reach_of[name] & reach_of[other])
+            mutants = _mutants(text, reach_of[name] & reach_of[other])
+            mutant = _mutant(mutants, module, name, _compared(text, calls), public, refuted)
     except Exhausted:
         return ()
     return tuple(partial(answer, text, changed) for changed in mutant[1]) if mutant else ()

@@ -1,7 +1,8 @@
 """Judge consequential errors: name the cause of each failure once, and charge only a part for what follows from it."""
 
 import re
-from collections.abc import Callable, Container, Iterable, Sequence
+from collections import defaultdict
+from collections.abc import Callable, Container, Iterable, Mapping, Sequence, Set
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -10,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tam570.checking.transforms import parts
-from tam570.meter import Exhausted
+from tam570.meter import Exhausted, Meter
 from tam570.values import Numbers
 from tam570_grader.checks.assignments import LoadedAssignment, checks_folder
 from tam570_grader.checks.case import Call, Case
@@ -53,6 +54,8 @@ HELPER = re.compile(r"\bdef (\w+)\(")
 REMEMBERS = "You keep something from one call to the next, in a global or a default argument; called first, {} is right"
 SMALLER = 1e-3  # of its error is left if a call is right in a new process
 MOST_HELPERS, MOST_ASKED, MOST_BESIDE = 30, 4, 8  # helpers of a file, calls compared, passing calls added to a search
+MOST_SHARED = 3_000_000  # steps for `_same_mutant` in a submission; a mistake in a helper takes a hundredth
+Reproduced = tuple[tuple[Call, ...], Set[str]]
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,8 @@ class Run:
     unnamed: list[Unnamed] = field(default_factory=list)
     passing: list[Call] = field(default_factory=list)  # calls of checks that passed
     failing: list[Call] = field(default_factory=list)  # calls of checks that failed
+    reproduced: dict[tuple[object, ...], Reproduced] = field(default_factory=dict)  # see `_asked_for`
+    shared: Meter = field(default_factory=lambda: Meter(MOST_SHARED))  # steps left for `_same_mutant`
 
     def perform(self, check: Check, recorder: Callable[[float], None] | None = None) -> None:
         """Run a check; `student.calls` then contains only this check's calls."""
@@ -270,19 +275,31 @@ def _is_consequence(run: Run, wrong: str, calls: Sequence[Call]) -> bool:
     if any(is_motion(call) for call in calls):
         return False
     for text in assignment.solutions:
-        used, asked_for = (names_reached(text, name) & assignment.returns.keys()) - {name}, set[str]()
-        if wrong not in used or used & zeros:
-            continue
+        used = (names_reached(text, name) & assignment.returns.keys()) - {name}
+        if wrong in used and not used & zeros and _asked_for(run, text, used, calls) & sources:
+            return True
+    return False
+
+
+def _asked_for(run: Run, text: str, used: Set[str], calls: Sequence[Call]) -> Set[str]:
+    """Return which of these functions a solution calls that reproduces all calls with the student's in place, if any.
+
+    Each earlier wrong function asks this of the same calls, so the answers are kept; the calls, too, for their ids.
+    """
+    key = text, *map(id, calls)
+    if key not in run.reproduced:
+        run.reproduced[key] = tuple(calls), (asked_for := set[str]())
         module = solution_with.__wrapped__(text, "")  # not the cached module: its functions are replaced
         for function in used:
             setattr(module, function, partial(_call_aside, asked_for, getattr(run.student, function)))
         try:
             with budget():
-                if explains(assignment.solution, partial(computed, module), calls) and asked_for & sources:
-                    return True
+                is_reproduced = explains(run.assignment.solution, partial(computed, module), calls)
         except Exception:  # a solution may raise anything when a function that it calls is wrong
-            continue
-    return False
+            is_reproduced = False
+        if not is_reproduced:
+            asked_for.clear()
+    return run.reproduced[key][1]
 
 
 def _shared_helper(run: Run, check: Check, cause: Cause | None, failed: Failed) -> Cause | None:
@@ -302,6 +319,7 @@ def _shared_helper(run: Run, check: Check, cause: Cause | None, failed: Failed) 
     case = at if isinstance(at := _input_with_numbers(run, failed.failure), Case) else calls[0].case
     helpers = [helper for helper in dict.fromkeys(HELPER.findall(student.text)) if helper not in results][:MOST_HELPERS]
     explained, failures = _explained_by(run, name), dict[str, Failure]()  # first failure of each function
+    refuted = defaultdict[str, set[str]](set)  # mutants of each solution that do not explain these calls
     for before in run.results.values():
         if _has_failed(before) and before.failure:
             failures.setdefault(before.failure.function, before.failure)
@@ -326,7 +344,7 @@ def _shared_helper(run: Run, check: Check, cause: Cause | None, failed: Failed) 
                     or _same_words(failure, failed.failure)
                     or _all_change_arrays(run, [failure, failed.failure], [check, *(one.check for one in callers)])
                     or (other in run.assignment.forbidden.get(name, ()) and _is_consequence(run, other, calls))
-                    or _same_mutant(run, Call(other, other_case, None), calls)
+                    or _same_mutant(run, Call(other, other_case, None), calls, refuted)
                     or any(
                         same_factor(run.assignment.solution, helper, function, other_function, other_case, calls)
                         for helper in of_both
@@ -381,11 +399,14 @@ def _same_number(run: Run, other: str, calls: Sequence[Call]) -> bool:
     return wrong > 0
 
 
-def _same_mutant(run: Run, before: Call, calls: Sequence[Call]) -> bool:
+def _same_mutant(run: Run, before: Call, calls: Sequence[Call], refuted: Mapping[str, set[str]]) -> bool:
     """Return whether one mutant of code that two functions share in a solution explains calls of both."""
     name, solution = calls[0].name, run.assignment.solution
-    for text in run.assignment.solutions if not any(is_motion(call) for call in calls) else ():
-        if answers := shared_mutants(text, name, before.name, calls):
+    is_possible = run.shared.remaining > 0 and not any(is_motion(call) for call in calls)
+    for text in run.assignment.solutions if is_possible else ():
+        with run.shared.running():
+            answers = shared_mutants(text, name, before.name, calls, refuted[text])
+        if answers:
             other = replace(before, result=getattr(run.student, before.name).aside(before.case))
             if any(explains(solution, answer, [other]) for answer in answers):
                 return True

@@ -108,6 +108,12 @@ class SandboxFunction:
 
     def uses(self, helper: str, call: Case) -> bool:
         """Return whether a call's result changes, or it fails, if the results of a helper are made larger by one."""
+        key = self.name, helper, call.packed
+        if key not in self.student.uses:
+            self.student.uses[key] = self._depends(helper, call)
+        return self.student.uses[key]
+
+    def _depends(self, helper: str, call: Case) -> bool:
         with self.student.aside(self.name):
             replies = [self.student.replies(self.name, [call], moved=moved)[0] for moved in (None, helper)]
         if "value" not in replies[0]:

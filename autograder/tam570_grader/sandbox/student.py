@@ -51,6 +51,7 @@ class Student:
         self.broken: dict[str, Json] = {}  # functions that hung or crashed, and how
         self._given_up: set[str] = set()  # functions that did so in a block of `aside`
         self.worked: set[str] = set()  # functions with a valid result, so that failures depend on the input
+        self.uses: dict[tuple[str, str, bytes], bool] = {}  # whether a call of a function depends on a helper
         self._asides = 0  # open blocks of `aside`
         self._slow: dict[bytes, list[Json]] = {}  # replies to the last slow requests of checks, by request
         self._cpu, self._lasted = 0.0, 0.0  # s, CPU time and wall time of the processes that have ended

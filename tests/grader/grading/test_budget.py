@@ -8,10 +8,12 @@ import numpy as np
 import pytest
 from parameters import first
 
-from tam570.meter import Exhausted, limited
+from tam570.meter import Exhausted, Meter, limited
 from tam570_grader.checks import assignments, effort
+from tam570_grader.checks.case import Call, Case
 from tam570_grader.checks.effort import PACKAGES, Finder, compile_counted
 from tam570_grader.diagnosis import diagnose
+from tam570_grader.diagnosis.mistakes import MOST_STEPS, NoValue, answer
 from tam570_grader.grading import budget, consequences
 from tam570_grader.grading.run_checks import graded
 from tam570_grader.sandbox.student import Source
@@ -125,3 +127,23 @@ def test_a_module_that_was_left_compiled_is_read_until_its_text_changes(tmp_path
         monkeypatch.setattr(effort, "compile_counted", None)
     monkeypatch.undo()
     assert loaded(ENDLESS.replace("while True", "for _ in range(9)"))() is None
+
+
+def test_a_mistake_that_runs_away_has_no_answer_and_leaves_steps_for_the_others():
+    call, more = Call("endless", Case(), None), 2 * MOST_STEPS
+    with limited(more) as meter:
+        assert answer("def endless():\n    return 1.0\n", ENDLESS, call) is NoValue
+        assert 0 < meter.remaining < more
+    with pytest.raises(Exhausted), limited(FEW):  # the budget of the diagnosis ends it as before
+        answer("def endless():\n    return 2.0\n", ENDLESS, call)
+
+
+def test_steps_of_several_blocks_count_in_one_meter():
+    meter, names = Meter(10), compiled("def step():\n    return 1\n")
+    for _ in range(5):
+        with meter.running():
+            names["step"]()
+    assert meter.remaining == 5
+    with pytest.raises(Exhausted), meter.running():
+        for _ in range(6):
+            names["step"]()
