@@ -122,12 +122,13 @@ FULL_MARKS = LOCKED | {
     "beside": beside,
     "duplicated": edited(duplicated),
     "strange_ids": edited(strange_ids),
+    "renamed": lambda folder: (folder / f"{ONE}.py").rename(folder / "hw08.py"),
 }
-THERE_IS_NONE, LEADS_AWAY = f"There is no {ONE}.py in the folder", "is a link to a place outside of the submission"
+THERE_IS_NONE = f"No {ONE}.py with functions is in the folder"
+LEADS_AWAY = "is a link to a place outside of the submission"
 NO_POINTS = {
     "forged": (forged, "skew is not written yet"),
     "no_module": (lambda folder: (folder / f"{ONE}.py").unlink(), THERE_IS_NONE),
-    "renamed": (lambda folder: (folder / f"{ONE}.py").rename(folder / "hw08.py"), THERE_IS_NONE),
     "no_syntax": (lambda folder: (folder / f"{ONE}.py").write_text("def skew(v:\n    <b>bold</b>\n"), "SyntaxError"),
     "folders": (folders, THERE_IS_NONE),
     "linked": (linked, LEADS_AWAY),
