@@ -252,7 +252,9 @@ def _error(result: Numbers, expected: Numbers) -> float:
     pairs = [*zip(parts(result), _parts_like(result, expected), strict=False)] if result is not None else []
     if any(np.shape(number) != np.shape(true) for number, true in pairs) or not pairs:
         return np.inf
-    return max(float(np.abs(np.subtract(number, true)).max(initial=0.0)) for number, true in pairs)
+    with np.errstate(invalid="ignore"):  # infinity is right where infinity is expected
+        errors = [np.where(np.equal(number, true), 0.0, np.abs(np.subtract(number, true))) for number, true in pairs]
+    return max(float(error.max(initial=0.0)) for error in errors)
 
 
 def _passes_on_copies(run: Run, check: Check) -> bool:
