@@ -21,12 +21,12 @@ def opaque(rates):
     """Return the same rates by a function whose decisions `solve` cannot detect, and a list with an item per call."""
     calls = []
 
-    def called(t, y):
+    def counted(t, y):
         calls.append(t)
         plain = struct.unpack(f"{1 + len(y)}d", struct.pack(f"{1 + len(y)}d", t, *y))  # only of numbers
         return rates(plain[0], plain[1:])
 
-    return called, calls
+    return counted, calls
 
 
 def box(x):
@@ -46,12 +46,12 @@ SHAPES = [box, bell, tent]  # of width and area 1
 
 @pytest.mark.parametrize("shape", SHAPES)
 @pytest.mark.parametrize("width", [1.0, 1.4, 1.9, 2.7, 5.0, 9.0, 25.0, 70.0])
-@pytest.mark.parametrize("place", [1.2345678, 4.56789, 8.7654321])
-def test_a_pulse_of_time_as_long_as_a_thousandth_of_the_run_is_seen(shape, width, place):
+@pytest.mark.parametrize("middle", [1.2345678, 4.56789, 8.7654321])
+def test_a_pulse_of_time_as_long_as_a_thousandth_of_the_run_is_seen(shape, width, middle):
     duration = width * 1.001 * END / POINTS  # an edge may be just beyond a point
 
     def rates(t, y):
-        return y[1], -y[0] + 0.1 * shape((t - place) / duration)
+        return y[1], -y[0] + 0.1 * shape((t - middle) / duration)
 
     def quiet(t, y):
         return y[1], -y[0]
@@ -70,28 +70,28 @@ def test_a_pulse_in_a_window_of_the_state_is_seen(shape, width):
     def rates(t, y):  # y[0] passes each value once
         return 0.5 + 1.0 / (1.0 + t), 0.1 * shape((y[0] - 3.3) / duration)
 
-    place = 0.5 + 1.0 / (1.0 + 3.1)  # the least rate of y[0] near 3.3 is larger than this
+    rate = 0.5 + 1.0 / (1.0 + 3.1)  # the least rate of y[0] near 3.3 is larger than this
     states = solve(opaque(rates)[0], [0, END], [0.0, 0.0])
     expected = solve(rates, [0, END], [0.0, 0.0], rtol=1e-12)
-    assert expected[-1, 1] > 0.05 * duration / place
+    assert expected[-1, 1] > 0.05 * duration / rate
     assert states == pytest.approx(expected, rel=0, abs=1e-8)
 
 
-@pytest.mark.parametrize("place", [0.3, 2.2222, 7.77])
-def test_a_jump_is_seen(place):
+@pytest.mark.parametrize("jump", [0.3, 2.2222, 7.77])
+def test_a_jump_is_seen(jump):
     def rates(t, y):
-        return (1.0 if t < place else 2.0,)
+        return (1.0 if t < jump else 2.0,)
 
     states = solve(opaque(rates)[0], [0, END], [0.0])
-    assert states[-1, 0] == pytest.approx(2 * END - place, rel=1e-9)
+    assert states[-1, 0] == pytest.approx(2 * END - jump, rel=1e-9)
 
 
 @pytest.mark.parametrize("rtol", [1e-6, 1e-10])
 @pytest.mark.parametrize("name", ["DETEST A3", "DETEST B4", "DETEST D3", "DETEST E3", "Brusselator", "Pleiades"])
 def test_a_smooth_function_costs_a_thousand_points_and_a_few_per_step(name, rtol):
     rates, start, end = PROBLEMS[name]
-    called, calls = opaque(rates)
-    report = solve(called, [0, end], start, rtol=rtol, report=True).report
+    function, calls = opaque(rates)
+    report = solve(function, [0, end], start, rtol=rtol, report=True).report
     assert report.unseen_reason
     assert len(calls) < report.evaluations + POINTS + 15 * (report.steps + 10)
     assert report.steps < 600
@@ -114,12 +114,12 @@ def test_functions_of_libraries_cost_little_more_than_in_scipy(name):
     rates, start = LIBRARIES[name]
     calls = []
 
-    def called(t, y):
+    def counted(t, y):
         calls.append(t)
         return rates(t, y)
 
-    states = solve(called, [0, 5.0], start)
+    states = solve(counted, [0, 5.0], start)
     ours = len(calls)
-    reference = solve_ivp(called, (0, 5), start, method="DOP853", rtol=1e-10, atol=1e-12)
+    reference = solve_ivp(counted, (0, 5), start, method="DOP853", rtol=1e-10, atol=1e-12)
     assert states[-1] == pytest.approx(reference.y[:, -1], rel=1e-8, abs=1e-9)
     assert ours < 2 * (len(calls) - ours) + 1.6 * POINTS

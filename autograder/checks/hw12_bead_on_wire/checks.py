@@ -196,10 +196,10 @@ def simulate_keeps_the_energy(student, rng):
 
 
 def of_accuracy(student, case, period, expected):
-    """Return whether a nearly right period is better at a smaller amplitude, and a question that follows from it."""
+    """Return what a nearly right period at a smaller amplitude shows, and a question that follows from it."""
     small = case.replace(case.args[0] / 4)
-    right = reference.period(*small.args, **small.kwargs)
-    if abs(student.period.aside(small) / right - 1) < MUCH_BETTER * abs(period / expected - 1):
+    exact = reference.period(*small.args, **small.kwargs)
+    if abs(student.period.aside(small) / exact - 1) < MUCH_BETTER * abs(period / expected - 1):
         return ", and much better at a smaller amplitude: does a series end too early, or has a quadrature few points?"
     return ", and hardly better at a smaller amplitude: is your quadrature exact where v is zero?"
 

@@ -122,12 +122,12 @@ class OwnRates:
         function: StudentFunction = getattr(motion.function.student, self.passes)
         return own_result(function, self.reference, Case(row, **motion.case.kwargs))
 
-    def hint(self, motion: ComparedMotion, asked: str = "") -> str:
+    def hint(self, motion: ComparedMotion, question: str = "") -> str:
         """Return where to look: what the check asks, unless the motion shows more."""
         if self.are_right(motion):
             integrated = f"does {motion.function.name} integrate it, with the given parameters, from t[0] on?"
-            asked = asked or f"{self.name} is right along this motion: {integrated}"
-            return TIGHT if has_coarse_steps(motion) else asked
+            question = question or f"{self.name} is right along this motion: {integrated}"
+            return TIGHT if has_coarse_steps(motion) else question
         return self.source(motion) or f"{self.name} is wrong along this motion, too: look there first"
 
     def _function(self, motion: ComparedMotion) -> StudentFunction:
@@ -323,8 +323,8 @@ def _hint(
     said = own_rates.source(motion) if own_rates else ""
     said = said or diagnosed(motion, motions, turns, near_miss, rates_are_right)
     said = said or (hint(motion) if callable(hint) else "")
-    asked = "" if callable(hint) else hint
-    return said or (own_rates.hint(motion, asked) if own_rates else asked)
+    question = "" if callable(hint) else hint
+    return said or (own_rates.hint(motion, question) if own_rates else question)
 
 
 def _along(invariant: Invariant, motion: ComparedMotion) -> Curve | None:

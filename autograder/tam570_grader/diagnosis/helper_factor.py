@@ -34,16 +34,16 @@ def same_factor(
 
     def makes_right(index: int) -> bool:
         """Return whether each wrong call becomes right; leave out calls for which there is no factor."""
-        left = len(wrong)
+        remaining = len(wrong)
         for call in wrong:
             case = _with_shared(solution, Call(other.name, before, None), call)
             expected = right_answer(solution, Call(other.name, case, None))
             factor = _factor(expected, partial(other.scaled, helper, index, call=case))
             if not factor:
-                left -= 1
+                remaining -= 1
             elif not same(function.scaled(helper, index, factor, call.case), right_answer(solution, call), WITHIN):
                 return False
-            if left < FEWEST:
+            if remaining < FEWEST:
                 return False
         return True
 

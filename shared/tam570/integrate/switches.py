@@ -162,8 +162,8 @@ class Switches:
         tolerance = np.array(a) + self.rtol * np.maximum(np.abs(first), np.abs(last))
         try:
             points = zip((start + h * x).tolist()[1:-1], path.T.tolist()[1:-1], strict=True)
-            inside = [self.rates(*point) for point in points]
-            if (_pulses(np.array([f, *inside, g])) * h * x[1] <= tolerance).all():
+            sampled = [self.rates(*point) for point in points]
+            if (_pulses(np.array([f, *sampled, g])) * h * x[1] <= tolerance).all():
                 return math.inf
         except TRIAL_ERRORS:
             pass  # the shorter steps tell whether the solution leads there
